@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// zraka info: what a scene file holds.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "commands.hpp"
+#include "core/text.hpp"
+#include "shapes/shapes.hpp"
+#include "terminal.hpp"
+#include "zraka/zraka.hpp"
+
+namespace zraka::app {
+namespace {
+
+struct Words {
+  std::string scene;
+  std::string format = "text";
+};
+
+struct Facts {
+  std::size_t mirrors = 0, glasses = 0;
+  Box bounds;
+};
+
+Facts facts_of(const Scene& scene) {
+  Facts facts;
+  for (const Material& m : scene.materials) {
+    facts.mirrors += m.reflection != 0;
+    facts.glasses += m.refraction != 0;
+  }
+#define ZRAKA_INCLUDE(Type, plural)       \
+  for (const auto& object : scene.plural) \
+    facts.bounds.include(ShapeTraits<Type>::bounds(object.shape));
+  ZRAKA_SHAPES(ZRAKA_INCLUDE)
+#undef ZRAKA_INCLUDE
+  return facts;
+}
+
+nlohmann::ordered_json json_of(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+void print_json(const Scene& scene, const Facts& facts) {
+  nlohmann::ordered_json json = {
+      {"format", scene.format},
+      {"profile", scene.default_profile == ProfileName::lab ? "lab" : "physical"},
+      {"resolution", {scene.resolution.width, scene.resolution.height}},
+      {"eye", json_of(scene.camera.eye)}};
+  json["lights"] = nlohmann::json::array();
+  for (const PointLight& light : scene.lights) json["lights"].push_back(json_of(light.position));
+#define ZRAKA_COUNT(Type, plural) json["shapes"][ShapeTraits<Type>::kName] = scene.plural.size();
+  ZRAKA_SHAPES(ZRAKA_COUNT)
+#undef ZRAKA_COUNT
+  json["materials"] = {
+      {"all", scene.materials.size()}, {"mirrors", facts.mirrors}, {"glasses", facts.glasses}};
+  if (!facts.bounds.empty())
+    json["bounds"] = {{"lower", json_of(facts.bounds.lower)},
+                      {"upper", json_of(facts.bounds.upper)}};
+  std::puts(json.dump(2).c_str());
+}
+
+std::string text_of(const Vec3& v) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z);
+}
+
+void print_text(const Scene& scene, const Facts& facts) {
+  fmt::print("format      {}, drawn with the {} profile\n", scene.format,
+             scene.default_profile == ProfileName::lab ? "lab" : "physical");
+  fmt::print("picture     {} × {} pixels\n", scene.resolution.width, scene.resolution.height);
+  fmt::print("eye         {}\n", text_of(scene.camera.eye));
+  for (const PointLight& light : scene.lights)
+    fmt::print("light       {}\n", text_of(light.position));
+#define ZRAKA_COUNT(Type, plural) fmt::print("{:<11} {}\n", #plural, grouped(scene.plural.size()));
+  ZRAKA_SHAPES(ZRAKA_COUNT)
+#undef ZRAKA_COUNT
+  fmt::print("materials   {}, of which {} reflect and {} refract\n",
+             grouped(scene.materials.size()), facts.mirrors, facts.glasses);
+  if (!facts.bounds.empty())
+    fmt::print("bounds      {} to {}\n", text_of(facts.bounds.lower), text_of(facts.bounds.upper));
+}
+
+int run(const Words& words) {
+  const Result<ReadScene> read = read_scene(words.scene);
+  if (!read) return fail(read.error());
+  show(read->warnings);
+  const Facts facts = facts_of(read->scene);
+  if (words.format == "json")
+    print_json(read->scene, facts);
+  else
+    print_text(read->scene, facts);
+  return kDone;
+}
+
+}  // namespace
+
+CLI::App* add_info(CLI::App& program, Command& command) {
+  auto words = std::make_shared<Words>();
+  CLI::App* app = program.add_subcommand("info", "say what a scene file holds");
+  app->add_option("SCENE", words->scene, "the scene file; - reads standard input")->required();
+  app->add_option("--format", words->format, "text (default) or json")
+      ->check(CLI::IsMember({"text", "json"}));
+  app->footer(
+      "Examples:\n"
+      "  zraka info scenes/lab/input.txt\n"
+      "  zraka info input.txt --format json | jq .bounds");
+  app->callback([&command, words] { command = [words] { return run(*words); }; });
+  return app;
+}
+
+}  // namespace zraka::app

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// zraka: reads the words, runs a command, ends with its exit code.
+#include <fmt/format.h>
+
+#include <string>
+#include <zraka/zraka.hpp>
+
+#include "commands.hpp"
+#include "terminal.hpp"
+
+namespace zraka::app {
+namespace {
+
+std::string version_text() {
+  std::string isas;
+  for (const Isa isa : available_isas()) isas += fmt::format(" {}", name_of(isa));
+  return fmt::format("zraka {}\ninstruction sets built:{}\nthis machine has:{}\nin use: {}",
+                     ZRAKA_VERSION, ZRAKA_ISAS_BUILT, isas, isa_in_use());
+}
+
+int run(int argc, char** argv) {
+  CLI::App program(
+      "A Whitted ray tracer: exact to the bit, and able to say why each pixel has its colour.",
+      "zraka");
+  program.set_version_flag("--version", version_text);
+  program.require_subcommand(1);
+  program.footer(
+      "Examples:\n"
+      "  zraka render scenes/lab/input.txt -o picture.png\n"
+      "  zraka stages scenes/lab/input.txt -o pictures\n"
+      "  zraka generate letter Č -o letter.txt\n"
+      "Every command has a --help of its own. Exit codes: 0 done, 1 bad input or failed output,\n"
+      "2 wrong usage, 130 interrupted.");
+  Command command;
+  for (const AddCommand add : kCommands) add(program, command);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& wanted) {  // --help and --version
+    return program.exit(wanted);
+  } catch (const CLI::ParseError& wrong) {
+    program.exit(wrong);
+    return kWrongUsage;
+  }
+  return command();
+}
+
+}  // namespace
+}  // namespace zraka::app
+
+int main(int argc, char** argv) {
+  zraka::app::catch_interrupts();
+  return zraka::app::run(argc, argv);
+}

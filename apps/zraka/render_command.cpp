@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// zraka render: a scene to a picture.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "core/text.hpp"
+#include "progress.hpp"
+#include "render_options.hpp"
+#include "terminal.hpp"
+
+namespace zraka::app {
+namespace {
+
+struct Words : RenderWords {
+  std::string output;
+  std::string stage = "refraction";
+  int bits = 8;
+  std::string stats;  // "", "text" or "json"
+};
+
+struct Seconds {
+  double load = 0, write = 0;
+};
+
+void print_json(const Rendering& rendering, const Seconds& seconds) {
+  const RenderStats& s = rendering.stats;
+  const nlohmann::ordered_json json = {
+      {"seconds",
+       {{"load", seconds.load},
+        {"build", s.build_seconds},
+        {"render", s.render_seconds},
+        {"write", seconds.write}}},
+      {"rays",
+       {{"camera", s.rays.camera},
+        {"shadow", s.rays.shadow},
+        {"reflected", s.rays.reflected},
+        {"refracted", s.rays.refracted}}},
+      {"hits", s.rays.hits},
+      {"bytes", {{"scene", s.scene_bytes}, {"accel", s.accel_bytes}}},
+      {"threads", s.threads},
+      {"isa", name_of(s.isa)},
+      {"sha256", sha256(rendering.image)}};
+  std::puts(json.dump(2).c_str());
+}
+
+void print_text(const Rendering& rendering, const Seconds& seconds) {
+  const RenderStats& s = rendering.stats;
+  const auto ms = [](double t) { return t * 1000; };
+  fmt::print("time    load {:.1f} ms, build {:.1f} ms, render {:.1f} ms, write {:.1f} ms\n",
+             ms(seconds.load), ms(s.build_seconds), ms(s.render_seconds), ms(seconds.write));
+  fmt::print("rays    {} camera, {} shadow, {} reflected, {} refracted; {:.1f} M a second\n",
+             grouped(s.rays.camera), grouped(s.rays.shadow), grouped(s.rays.reflected),
+             grouped(s.rays.refracted),
+             static_cast<double>(s.rays.total()) / s.render_seconds / 1e6);
+  fmt::print("hits    {}\n", grouped(s.rays.hits));
+  fmt::print("memory  scene {} bytes, acceleration structure {} bytes\n", grouped(s.scene_bytes),
+             grouped(s.accel_bytes));
+  fmt::print("with    {} threads, {}\n", s.threads, name_of(s.isa));
+  fmt::print("sha256  {}\n", sha256(rendering.image));
+}
+
+int run(const Words& words) {
+  const auto since = [](auto start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  Seconds seconds;
+  const auto start = std::chrono::steady_clock::now();
+  const Result<Scene> scene = words.load();
+  if (!scene) return fail(scene.error());
+  seconds.load = since(start);
+
+  RenderOptions options = words.options(*scene);
+  options.terms = terms_of(*stage_named(words.stage));
+  Result<Rendering> rendering;
+  {
+    Progress progress(words.quiet);
+    options.progress = progress.callback();
+    rendering = render(*scene, options);
+  }
+  if (!rendering) return fail(rendering.error());
+
+  const auto written_from = std::chrono::steady_clock::now();
+  const Result<void> written =
+      write_png(rendering->image, words.output, {words.bits, options.profile.transfer});
+  if (!written) return fail(written.error());
+  seconds.write = since(written_from);
+  if (words.stats == "json") print_json(*rendering, seconds);
+  if (words.stats == "text") print_text(*rendering, seconds);
+  return kDone;
+}
+
+}  // namespace
+
+CLI::App* add_render(CLI::App& program, Command& command) {
+  auto words = std::make_shared<Words>();
+  CLI::App* app = program.add_subcommand("render", "render a scene to a picture");
+  words->add_to(*app);
+  app->add_option("-o,--output", words->output, "the PNG to write")->required();
+  app->add_option("--stage", words->stage,
+                  "up to which stage of the lab: 1…7, or silhouette, ambient, diffuse, specular,\n"
+                  "shadows, reflection, refraction (default: all)")
+      ->check(one_of(
+          "a stage: 1…7, silhouette, ambient, diffuse, specular, shadows, reflection or refraction",
+          [](const std::string& word) { return stage_named(word).has_value(); }));
+  app->add_option("--bits", words->bits, "bits of a channel: 8 (default) or 16")
+      ->check(CLI::IsMember({8, 16}));
+  app->add_flag("--stats{text}", words->stats,
+                "print times, rays, memory and the picture's SHA-256; --stats=json for programs")
+      ->check(one_of("text or json",
+                     [](const std::string& word) { return word == "text" || word == "json"; }));
+  app->footer(
+      "Examples:\n"
+      "  zraka render scenes/lab/input.txt -o picture.png\n"
+      "  zraka render input.txt -o shadows.png --stage shadows\n"
+      "  zraka render input.txt -o large.png --width 2160 --stats\n"
+      "  zraka render input.txt -o glass.png --profile physical --max-depth 12");
+  app->callback([&command, words] { command = [words] { return run(*words); }; });
+  return app;
+}
+
+}  // namespace zraka::app

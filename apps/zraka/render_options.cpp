@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "terminal.hpp"
+
+namespace zraka::app {
+
+CLI::Validator one_of(std::string what, bool (*accepts)(const std::string&)) {
+  return CLI::Validator(
+      [what, accepts](std::string& word) {
+        return accepts(word) ? std::string() : fmt::format("'{}' is not {}", word, what);
+      },
+      "");
+}
+
+std::optional<Stage> stage_named(const std::string& word) {
+  for (std::size_t i = 0; i < kStageNames.size(); ++i)
+    if (word == kStageNames[i] || word == std::to_string(i + 1)) return static_cast<Stage>(i + 1);
+  return std::nullopt;
+}
+
+void RenderWords::add_to(CLI::App& command) {
+  command.add_option("SCENE", scene, "the scene file; - reads standard input")->required();
+  command
+      .add_option("--width", width,
+                  "width of the picture, in pixels; the height follows if not given")
+      ->check(CLI::Range(1u, 1u << 20));
+  command.add_option("--height", height, "height of the picture, in pixels")
+      ->check(CLI::Range(1u, 1u << 20));
+  command
+      .add_option("--max-depth", max_depth, "levels of rays after those from the eye (default 4)")
+      ->check(CLI::Range(0, kMaxDepth));
+  command
+      .add_option("--profile", profile,
+                  "lab (the course's rules, default for input.txt) or physical (optics' rules)")
+      ->check(one_of("lab or physical",
+                     [](const std::string& word) { return word == "lab" || word == "physical"; }));
+  command
+      .add_option("--threads", threads, "how many threads; 0, the default, is all that there are")
+      ->check(CLI::Range(0, kMaxThreads));
+  command
+      .add_option("--tile", tile,
+                  "side of the tiles that threads work on; 0 chooses; no pixel changes")
+      ->check(CLI::Range(0, kMaxTile));
+  command.add_option("--isa", isa, "instruction set: avx512, avx2 or portable; no pixel changes")
+      ->check(one_of("avx512, avx2, portable or oracle",
+                     [](const std::string& word) { return isa_named(word).has_value(); }));
+  command.add_flag("-q,--quiet", quiet, "no progress bar, no warnings");
+}
+
+Result<Scene> RenderWords::load() const {
+  Result<ReadScene> read = read_scene(scene);
+  if (!read) return tl::make_unexpected(read.error());
+  if (!quiet) show(read->warnings);
+  Scene& loaded = read->scene;
+  const Resolution own = loaded.resolution;
+  const double aspect = static_cast<double>(own.width) / own.height;
+  if (width > 0 && height > 0) {
+    // The window keeps its height; its width follows the picture, so that pixels stay square.
+    const double wider = static_cast<double>(width) / height / aspect;
+    Vec3& right = loaded.camera.window_right;
+    right = {right.x * wider, right.y * wider, right.z * wider};
+    loaded.resolution = {width, height};
+  } else if (width > 0) {
+    loaded.resolution = {width,
+                         static_cast<std::uint32_t>(std::max(1.0, std::round(width / aspect)))};
+  } else if (height > 0) {
+    loaded.resolution = {static_cast<std::uint32_t>(std::max(1.0, std::round(height * aspect))),
+                         height};
+  }
+  return std::move(loaded);
+}
+
+RenderOptions RenderWords::options(const Scene& loaded) const {
+  RenderOptions options;
+  const ProfileName name = profile == "lab"        ? ProfileName::lab
+                           : profile == "physical" ? ProfileName::physical
+                                                   : loaded.default_profile;
+  options.profile = profile_of(name);
+  options.max_depth = max_depth;
+  options.threads = threads;
+  options.tile = tile;
+  options.isa = isa_named(isa);
+  return options;
+}
+
+}  // namespace zraka::app

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options that all commands that render share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <zraka/zraka.hpp>
+
+namespace zraka::app {
+
+struct RenderWords {
+  std::string scene;
+  std::uint32_t width = 0, height = 0;  // 0: the scene's
+  int max_depth = 4;
+  std::string profile;  // "": the scene's
+  int threads = 0;
+  int tile = 0;
+  std::string isa;
+  bool quiet = false;
+
+  void add_to(CLI::App& command);
+
+  /// The scene with the size that was asked for; its warnings have been shown.
+  Result<Scene> load() const;
+  /// All but terms and progress.
+  RenderOptions options(const Scene& scene) const;
+};
+
+/// Checks a word against the names of stages: 1…7 or a name.
+std::optional<Stage> stage_named(const std::string& word);
+
+/// A CLI11 check that shows what a word has to be.
+CLI::Validator one_of(std::string what, bool (*accepts)(const std::string&));
+
+}  // namespace zraka::app

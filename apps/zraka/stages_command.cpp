@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// zraka stages: the lab's seven pictures, what each stage changed, and all of them on one sheet.
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <system_error>
+
+#include "commands.hpp"
+#include "contact_sheet.hpp"
+#include "core/text.hpp"
+#include "progress.hpp"
+#include "render_options.hpp"
+#include "terminal.hpp"
+
+namespace zraka::app {
+namespace {
+
+constexpr std::size_t kStages = kStageNames.size();
+constexpr std::uint32_t kThumbnail = 240;
+
+struct Words : RenderWords {
+  std::string folder;
+};
+
+Result<void> make_folder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) return failure(path, fmt::format("cannot be made a folder: {}", error.message()));
+  return {};
+}
+
+Result<std::array<Image, kStages>> render_stages(const Words& words, const Scene& scene,
+                                                 RenderOptions options) {
+  std::array<Image, kStages> images;
+  for (std::size_t i = 0; i < kStages; ++i) {
+    options.terms = terms_of(static_cast<Stage>(i + 1));
+    Progress progress(words.quiet);
+    options.progress = progress.callback();
+    Result<Rendering> rendering = render(scene, options);
+    if (!rendering) return tl::make_unexpected(rendering.error());
+    images[i] = std::move(rendering->image);
+  }
+  return images;
+}
+
+int run(const Words& words) {
+  const Result<Scene> scene = words.load();
+  if (!scene) return fail(scene.error());
+  // Seven pictures and six differences are in memory at once.
+  const std::uint64_t pixels = std::uint64_t{scene->resolution.width} * scene->resolution.height;
+  if (pixels > kMaxPixels / 8)
+    return fail(
+        failure(words.scene,
+                fmt::format("its stages have {} pixels each: {} at most", pixels, kMaxPixels / 8),
+                "ask for smaller pictures with --width")
+            .value());
+  const Result<void> folder = make_folder(words.folder);
+  if (!folder) return fail(folder.error());
+  const RenderOptions options = words.options(*scene);
+  const Result<std::array<Image, kStages>> images = render_stages(words, *scene, options);
+  if (!images) return fail(images.error());
+
+  const std::filesystem::path out(words.folder);
+  std::vector<Captioned> stages, changes;
+  std::array<Difference, kStages - 1> differences;
+  Result<void> written;
+  const auto write = [&](const Image& image, const std::string& name) {
+    if (written) written = write_png(image, (out / name).string(), {8, options.profile.transfer});
+  };
+  for (std::size_t i = 0; i < kStages; ++i) {
+    write((*images)[i], fmt::format("{}-{}.png", i + 1, kStageNames[i]));
+    stages.push_back({&(*images)[i], fmt::format("{} {}", i + 1, kStageNames[i])});
+  }
+  for (std::size_t i = 0; i + 1 < kStages; ++i) {
+    differences[i] = difference((*images)[i], (*images)[i + 1]);
+    write(differences[i].image, fmt::format("difference-{}-{}.png", i + 1, i + 2));
+    changes.push_back({&differences[i].image,
+                       fmt::format("{} to {}, ×{:.1f}", i + 1, i + 2, differences[i].gain)});
+  }
+  write(contact_sheet({stages, changes}, kThumbnail), "contact-sheet.png");
+  if (!written) return fail(written.error());
+  if (words.quiet) return kDone;
+
+  fmt::print("{}\n", (out / "contact-sheet.png").string());
+  for (std::size_t i = 0; i < kStages; ++i) {
+    fmt::print("{}\n", (out / fmt::format("{}-{}.png", i + 1, kStageNames[i])).string());
+    if (i + 1 == kStages) break;
+    fmt::print("  {} (amplified {:.1f} times): {} of {} pixels change\n",
+               (out / fmt::format("difference-{}-{}.png", i + 1, i + 2)).string(),
+               differences[i].gain, grouped(differences[i].pixels), grouped(pixels));
+  }
+  return kDone;
+}
+
+}  // namespace
+
+CLI::App* add_stages(CLI::App& program, Command& command) {
+  auto words = std::make_shared<Words>();
+  CLI::App* app = program.add_subcommand(
+      "stages", "render the lab's seven stages, the differences between them, and a contact sheet");
+  words->add_to(*app);
+  app->add_option("-o,--output", words->folder,
+                  "the folder for the pictures; made if it is not there")
+      ->required();
+  app->footer(
+      "Examples:\n"
+      "  zraka stages scenes/lab/input.txt -o pictures\n"
+      "  zraka stages input.txt -o large --width 1080");
+  app->callback([&command, words] { command = [words] { return run(*words); }; });
+  return app;
+}
+
+}  // namespace zraka::app

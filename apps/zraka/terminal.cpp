@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "terminal.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <zraka/render.hpp>
+
+#include "commands.hpp"
+#include "core/file.hpp"
+#include "progress.hpp"
+#include "render/isa.hpp"
+
+namespace zraka::app {
+namespace {
+
+/// Only what a signal handler may do: remove files, write a few bytes, leave.
+void on_interrupt(int) {
+  remove_incomplete_files();
+  Progress::clear_line();
+  ::_exit(kInterrupted);
+}
+
+bool in_colour() {
+  const char* no_color = std::getenv("NO_COLOR");
+  return ::isatty(STDERR_FILENO) == 1 && (no_color == nullptr || *no_color == '\0');
+}
+
+}  // namespace
+
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;
+  sigemptyset(&action.sa_mask);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction old {};
+    // Who started us with a signal ignored (nohup) wants it ignored.
+    if (::sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue;
+    ::sigaction(signal, &action, nullptr);
+  }
+}
+
+void show(const Diagnostics& diagnostics) {
+  const bool colour = in_colour();
+  for (const Diagnostic& d : diagnostics) {
+    std::string text = to_string(d);
+    if (colour) {
+      const char* word = d.severity == Severity::error     ? "error: "
+                         : d.severity == Severity::warning ? "warning: "
+                                                           : "note: ";
+      const char* paint = d.severity == Severity::error ? "\x1b[1;31m" : "\x1b[1;33m";
+      const std::size_t at = text.find(word);
+      if (at != std::string::npos)
+        text.insert(at + std::string(word).size(), "\x1b[0m").insert(at, paint);
+    }
+    std::fputs(text.c_str(), stderr);
+  }
+}
+
+int fail(const Diagnostics& diagnostics) {
+  show(diagnostics);
+  return kFailed;
+}
+
+std::string isa_in_use() {
+  const Result<Isa> isa = choose_isa(std::nullopt);
+  return isa ? std::string(name_of(*isa)) : isa.error().front().message;
+}
+
+}  // namespace zraka::app

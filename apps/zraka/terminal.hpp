@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the program talks to people: problems, progress, interrupts.
+#pragma once
+
+#include <string>
+#include <zraka/diagnostic.hpp>
+
+namespace zraka::app {
+
+/// From here on Ctrl-C and a polite kill end the program at once with exit code 130, and no half
+/// file stays.
+void catch_interrupts();
+
+/// Diagnostics on standard error, errors and warnings in colour on a terminal.
+void show(const Diagnostics& diagnostics);
+
+/// Shows the problems and gives back the exit code for them.
+int fail(const Diagnostics& diagnostics);
+
+/// Name of the instruction set that a render would use now, or what is wrong with the one that is
+/// asked for.
+std::string isa_in_use();
+
+}  // namespace zraka::app

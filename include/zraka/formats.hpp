@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes from files and into files.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <zraka/diagnostic.hpp>
+#include <zraka/scene.hpp>
+
+namespace zraka {
+
+/// A scene and what its reader had to remark; warnings only, for errors make the reading fail.
+struct ReadScene {
+  Scene scene;
+  Diagnostics warnings;
+};
+
+/// Reads a scene file. Fails with all the problems of the file at once.
+Result<ReadScene> read_scene(const std::string& path);
+
+/// The same from memory; `name` stands for the file in messages.
+Result<ReadScene> parse_scene(std::string_view text, const std::string& name);
+
+/// A scene in the course's input.txt format. Fails if the scene has what that format cannot say.
+Result<std::string> write_lab_input(const Scene& scene);
+
+/// Writes text beside `path` and renames it, so that a failure leaves an old file as it was.
+Result<void> write_text_file(const std::string& path, std::string_view text);
+
+}  // namespace zraka

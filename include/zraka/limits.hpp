@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// How large things may get; checked before memory is taken.
+#pragma once
+
+#include <cstdint>
+
+namespace zraka {
+
+/// The largest picture, in pixels.
+inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 27;
+/// The deepest ray trees: levels of rays after the first.
+inline constexpr int kMaxDepth = 200;
+/// The largest side of a tile, in pixels.
+inline constexpr int kMaxTile = 64;
+/// More threads than any machine has, so a mistake.
+inline constexpr int kMaxThreads = 4096;
+
+}  // namespace zraka

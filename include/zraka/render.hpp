@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a scene to a picture: options, progress, statistics.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+#include <zraka/diagnostic.hpp>
+#include <zraka/image.hpp>
+#include <zraka/limits.hpp>
+#include <zraka/scene.hpp>
+
+namespace zraka {
+
+/// The lab's seven stages, each with everything of the ones before (lab sheet, section 7).
+enum class Stage { silhouette = 1, ambient, diffuse, specular, shadows, reflection, refraction };
+
+inline constexpr std::array<std::string_view, 7> kStageNames = {
+    "silhouette", "ambient", "diffuse", "specular", "shadows", "reflection", "refraction"};
+
+/// The terms of light that a picture has.
+struct Terms {
+  bool silhouette = false;  ///< white where a ray hits; no other term counts then
+  bool ambient = true;
+  bool diffuse = true;
+  bool specular = true;
+  bool shadows = true;
+  bool reflection = true;
+  bool refraction = true;
+};
+Terms terms_of(Stage stage);
+
+/// What the two profiles differ in; profile_of() holds the only table.
+struct Profile {
+  bool pixel_centers = true;    ///< rays through pixel centres, else through upper left corners
+  bool clamp_levels = false;    ///< each component clamped to 0…1 at every level of the ray tree
+  bool index_is_ratio = false;  ///< Material::refractive is n1/n2 on entry, else the inside's index
+  bool mirror_when_total =
+      true;  ///< total internal reflection reflects k2's share, else it is black
+  Transfer transfer = Transfer::srgb;
+};
+Profile profile_of(ProfileName name);
+
+/// Ways to compute, all with the same bits; `oracle` computes in double, one ray at a time, for
+/// tests.
+enum class Isa { avx512, avx2, portable, oracle };
+std::string_view name_of(Isa isa);
+std::optional<Isa> isa_named(std::string_view name);
+/// Those that this build and this machine have, the fastest first; never empty, never `oracle`.
+std::vector<Isa> available_isas();
+
+struct RenderOptions {
+  Terms terms;
+  Profile profile = profile_of(ProfileName::physical);
+  int max_depth = 4;       ///< levels of rays after the first: 0…kMaxDepth
+  int threads = 0;         ///< 0: as many as the machine has
+  int tile = 0;            ///< side of a tile in pixels, 1…kMaxTile; 0: chosen
+  std::optional<Isa> isa;  ///< none: ZRAKA_ISA from the environment, else the fastest
+  /// Set from any thread, it ends the render early; the result is then a failure.
+  const std::atomic<bool>* cancel = nullptr;
+  /// Called from worker threads after each tile: (pixels done, pixels, rays so far). It must not
+  /// throw.
+  std::function<void(std::uint64_t, std::uint64_t, std::uint64_t)> progress;
+};
+
+/// Rays of each kind and how many of them (feelers aside) met a shape.
+struct RayCounts {
+  std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0, hits = 0;
+  std::uint64_t total() const { return camera + shadow + reflected + refracted; }
+};
+
+struct RenderStats {
+  double build_seconds = 0;  ///< from scene to what the engine reads
+  double render_seconds = 0;
+  RayCounts rays;
+  std::uint64_t scene_bytes = 0;
+  std::uint64_t accel_bytes = 0;
+  int threads = 0;
+  Isa isa = Isa::portable;
+};
+
+struct Rendering {
+  Image image;
+  RenderStats stats;
+};
+
+/// Renders a scene. The picture's bits depend on scene, terms, profile and depth, and on nothing
+/// else. Fails on options out of range, an instruction set that is not there, a scene that is
+/// inconsistent (see check()), and on cancellation.
+Result<Rendering> render(const Scene& scene, const RenderOptions& options = {});
+
+/// Problems of a scene that a program, not a reader, has put together: unknown materials, radii of
+/// 0 or less, values that are not finite, a picture without pixels. Empty when all is well.
+Diagnostics check(const Scene& scene);
+
+}  // namespace zraka

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a picture is of: plain values, as a reader or a program writes them down.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+#include <zraka/limits.hpp>
+#include <zraka/shapes.hpp>
+#include <zraka/values.hpp>
+
+namespace zraka {
+
+/// Phong's material with shares of the reflected and the refracted ray (lab sheet 3.3 and 3.6).
+struct Material {
+  Color ambient{0.1, 0.1, 0.1};  ///< ka
+  Color diffuse{0.7, 0.7, 0.7};  ///< kd
+  Color specular;                ///< ks
+  double shininess = 10;         ///< n, the exponent of the highlight
+  double reflection = 0;         ///< k1, share of the reflected ray
+  double refraction = 0;         ///< k2, share of the refracted ray
+  /// ni. The lab profile takes it as n1/n2 on entry (sheet 3.5), the physical profile as the index
+  /// of refraction of what is inside.
+  double refractive = 1;
+  friend bool operator==(const Material&, const Material&) = default;
+};
+
+/// A shape and the index of its material in Scene::materials.
+template <class Shape>
+struct Object {
+  Shape shape;
+  std::uint32_t material = 0;
+};
+
+struct PointLight {
+  Vec3 position;
+  Color color{1, 1, 1};
+};
+
+/// A pinhole looking through a window: rays go from the eye through points of a rectangle.
+struct Camera {
+  Vec3 eye{0, 0, 2};
+  Vec3 window_center;
+  Vec3 window_right{2, 0, 0};  ///< from the window's left edge to its right edge
+  Vec3 window_up{0, 2, 0};     ///< from the window's lower edge to its upper edge
+};
+
+struct Resolution {
+  std::uint32_t width = 400;
+  std::uint32_t height = 400;
+};
+
+/// Two ways to make a picture of a scene (docs/profiles.md): the lab's, to the letter, and optics'.
+enum class ProfileName { lab, physical };
+
+struct Scene {
+  Camera camera;
+  Resolution resolution;
+  Color background;
+  Color ambient_light{0.5, 0.5, 0.5};  ///< Ia
+  std::vector<PointLight> lights;
+  std::vector<Material> materials;
+#define ZRAKA_STORE(Type, plural) std::vector<Object<Type>> plural;
+  ZRAKA_SHAPES(ZRAKA_STORE)
+#undef ZRAKA_STORE
+  ProfileName default_profile = ProfileName::physical;  ///< what the file's format is drawn with
+  std::string format;                                   ///< the reader's name, for people
+
+  /// Number of shapes of all kinds.
+  std::uint64_t shape_count() const;
+};
+
+}  // namespace zraka

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole public API.
+#pragma once
+
+#include <zraka/diagnostic.hpp>
+#include <zraka/formats.hpp>
+#include <zraka/image.hpp>
+#include <zraka/render.hpp>
+#include <zraka/scene.hpp>

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+#include <zraka/formats.hpp>
+
+namespace zraka {
+namespace {
+
+/// Names of incomplete files for the signal handler: fixed memory, claimed and released without
+/// locks.
+struct Incomplete {
+  std::atomic<bool> taken{false};
+  std::atomic<bool> valid{false};
+  char name[4096] = {};
+};
+std::array<Incomplete, 16> incomplete_files;  // NOLINT: a handler reaches nothing but globals
+
+void remember(const std::string& name) {
+  for (Incomplete& slot : incomplete_files) {
+    if (name.size() >= sizeof(slot.name) || slot.taken.exchange(true)) continue;
+    std::memcpy(slot.name, name.c_str(), name.size() + 1);
+    slot.valid = true;
+    return;
+  }
+}
+
+void forget(const std::string& name) {
+  for (Incomplete& slot : incomplete_files) {
+    if (!slot.valid || name != slot.name) continue;
+    slot.valid = false;
+    slot.taken = false;
+    return;
+  }
+}
+
+std::string reason() {
+  return std::strerror(errno);
+}
+
+}  // namespace
+
+void remove_incomplete_files() noexcept {
+  for (const Incomplete& slot : incomplete_files)
+    if (slot.valid) ::unlink(slot.name);
+}
+
+Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
+  const bool standard_input = path == "-";
+  // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
+  const int descriptor = standard_input ? ::dup(STDIN_FILENO)
+                                        : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0)
+    return failure(path, fmt::format("cannot be read: {}", reason()),
+                   errno == ENOENT ? "is the name right, and the folder?" : "");
+  struct stat status {};
+  const bool known = ::fstat(descriptor, &status) == 0;
+  const auto refuse = [&](const std::string& message) {
+    ::close(descriptor);
+    return failure(path, message);
+  };
+  if (known && S_ISDIR(status.st_mode)) return refuse("is a folder, not a file");
+  if (!standard_input && known && !S_ISREG(status.st_mode))
+    return refuse("is no regular file; use - to read from standard input");
+  const auto too_large = [&] { return fmt::format("is too large: over {} bytes", limit); };
+  if (known && S_ISREG(status.st_mode) && static_cast<std::uint64_t>(status.st_size) > limit)
+    return refuse(too_large());
+
+  std::string text;
+  if (known && S_ISREG(status.st_mode)) text.reserve(static_cast<std::size_t>(status.st_size));
+  std::array<char, 65536> buffer;
+  for (;;) {
+    const ssize_t got = ::read(descriptor, buffer.data(), buffer.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return refuse(fmt::format("cannot be read: {}", reason()));
+    if (got == 0) break;
+    text.append(buffer.data(), static_cast<std::size_t>(got));
+    if (text.size() > limit) return refuse(too_large());
+  }
+  ::close(descriptor);
+  return text;
+}
+
+Result<NewFile> NewFile::create(const std::string& path) {
+  NewFile file;
+  // A link is written through, not replaced.
+  std::error_code error;
+  const auto target = std::filesystem::canonical(path, error);
+  file.path_ = error ? path : target.string();
+  if (!error && std::filesystem::is_directory(target, error))
+    return failure(path, "cannot be written: it is a folder");
+  struct stat old {};
+  const bool exists = ::stat(file.path_.c_str(), &old) == 0;
+  if (exists && !S_ISREG(old.st_mode)) {
+    // A device or a pipe (/dev/stdout, /dev/null) cannot be replaced; it is written as it stands.
+    file.stream_ = std::fopen(file.path_.c_str(), "wb");
+    if (file.stream_ == nullptr)
+      return failure(path, fmt::format("cannot be written: {}", reason()));
+    return file;
+  }
+  if (exists && ::access(file.path_.c_str(), W_OK) != 0)
+    return failure(path, fmt::format("cannot be written: {}", reason()));
+  std::string name = file.path_ + ".XXXXXX";
+  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor < 0)
+    return failure(path, fmt::format("cannot be written: {}", reason()),
+                   errno == ENOENT ? "does its folder exist?" : "");
+  file.temporary_ = name;
+  remember(name);
+  // The permissions of the file that is replaced, else those that the user's mask gives a new one.
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  ::fchmod(descriptor, exists ? old.st_mode & 07777 : 0666 & ~mask);
+  file.stream_ = ::fdopen(descriptor, "wb");
+  return file;
+}
+
+NewFile::NewFile(NewFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      stream_(std::exchange(other.stream_, nullptr)) {}
+
+NewFile::~NewFile() {
+  if (stream_ != nullptr) std::fclose(stream_);
+  if (temporary_.empty()) return;
+  ::unlink(temporary_.c_str());
+  forget(temporary_);
+}
+
+Result<void> NewFile::commit() {
+  bool good = std::fflush(stream_) == 0 && std::ferror(stream_) == 0;
+  std::string problem = good ? "" : reason();
+  if (std::fclose(std::exchange(stream_, nullptr)) != 0 && good) good = false, problem = reason();
+  if (good && !temporary_.empty()) {
+    if (std::rename(temporary_.c_str(), path_.c_str()) == 0) {
+      forget(temporary_);
+      temporary_.clear();
+    } else {
+      good = false;
+      problem = reason();
+    }
+  }
+  if (!good) return failure(path_, fmt::format("cannot be written: {}", problem));
+  return {};
+}
+
+Result<void> write_text_file(const std::string& path, std::string_view text) {
+  Result<NewFile> file = NewFile::create(path);
+  if (!file) return tl::make_unexpected(file.error());
+  std::fwrite(text.data(), 1, text.size(), file->stream());
+  return file->commit();
+}
+
+}  // namespace zraka

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+
+namespace zraka {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
+
+/// Length of the character of UTF-8 that starts the text, 0 if none does.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) return 1;
+  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  if ((lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) > 0x9F)) return 0;
+  if ((lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) > 0x8F)) return 0;
+  return length;
+}
+
+/// The first character of a text as it can be shown, and its bytes.
+struct Shown {
+  std::string_view text;
+  std::size_t bytes;
+};
+Shown show_character(std::string_view text) {
+  const std::size_t length = character_length(text);
+  const auto first = static_cast<unsigned char>(text.front());
+  if (length == 0 || first == 0x7F || (first < 0x20 && first != '\t')) return {kReplacement, 1};
+  return {text.substr(0, length), length};
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n\v\f";
+  const std::size_t first = text.find_first_not_of(kSpace);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  const bool plus = !text.empty() && text.front() == '+';
+  if (plus) text.remove_prefix(1);
+  const std::string_view digits = !plus && text.starts_with('-') ? text.substr(1) : text;
+  if (digits.empty() || (digits.front() != '.' && (digits.front() < '0' || digits.front() > '9')))
+    return std::nullopt;
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range)
+    return std::strtod(std::string(text).c_str(), nullptr);
+  if (error != std::errc()) return std::nullopt;
+  return value;
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+Place Places::at(std::size_t position) {
+  if (!utf8_) utf8_ = is_utf8(text_);
+  position = std::min(position, text_.size());
+  if (position < position_) position_ = 0, place_ = {};
+  for (; position_ < position; ++position_) {
+    if (text_[position_] == '\n')
+      ++place_.line, place_.column = 1;
+    else if (!*utf8_ || (text_[position_] & 0xC0) != 0x80)
+      ++place_.column;
+  }
+  return place_;
+}
+
+std::string Places::excerpt(std::size_t position) const {
+  constexpr std::size_t kBefore = 60, kAfter = 40;
+  position = std::min(position, text_.size());
+  // Back to the line's start, but not too far; a cut character is left out.
+  std::size_t begin = position;
+  while (begin > 0 && text_[begin - 1] != '\n' && position - begin < kBefore) --begin;
+  const bool cut_before = begin > 0 && text_[begin - 1] != '\n';
+  while (cut_before && begin < position && (text_[begin] & 0xC0) == 0x80) ++begin;
+  std::size_t end = position;
+  while (end < text_.size() && text_[end] != '\n' && text_[end] != '\r' && end - position < kAfter)
+    ++end;
+  const bool cut_after = end < text_.size() && text_[end] != '\n' && text_[end] != '\r';
+  while (cut_after && end > position && (text_[end] & 0xC0) == 0x80) --end;
+
+  std::string line = cut_before ? "…" : "";
+  std::string caret = cut_before ? " " : "";
+  for (std::size_t i = begin; i < end;) {
+    const Shown character = show_character(text_.substr(i, end - i));
+    line += character.text;
+    if (i < position) caret += character.text == "\t" ? '\t' : ' ';
+    i += character.bytes;
+  }
+  if (cut_after) line += "…";
+  return line + "\n" + caret + "^";
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  std::string line;
+  for (std::size_t count = 0; !text.empty(); ++count) {
+    if (count == kLongest) return line + "…";
+    const Shown character = show_character(text);
+    line += character.text == "\t" ? " " : character.text;
+    text.remove_prefix(character.bytes);
+  }
+  return line;
+}
+
+std::string grouped(unsigned long long number) {
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ' ';
+    text += digits[i];
+  }
+  return text;
+}
+
+}  // namespace zraka

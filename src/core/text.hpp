@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Text as people wrote it: numbers, characters, places in a file.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace zraka {
+
+std::string_view trimmed(std::string_view text);
+
+/// A whole text as a number: digits with an optional sign, point and exponent. None for anything
+/// else, words for infinity among it; infinite for what is out of range.
+std::optional<double> parse_number(std::string_view text);
+
+/// Is the text whole characters of UTF-8?
+bool is_utf8(std::string_view text);
+
+/// Line and column, from 1, of a byte of a text. Columns count characters, or bytes in a text that
+/// is no UTF-8.
+struct Place {
+  std::size_t line = 1, column = 1;
+};
+
+/// Finds places in a text; quick where the positions asked for grow.
+class Places {
+ public:
+  explicit Places(std::string_view text) : text_(text) {}
+  Place at(std::size_t position);
+  /// The line around a position, at most about 100 characters of it, controls and broken characters
+  /// replaced; below it a caret.
+  std::string excerpt(std::size_t position) const;
+
+ private:
+  std::string_view text_;
+  std::optional<bool> utf8_;
+  std::size_t position_ = 0;  ///< where the last place was
+  Place place_;
+};
+
+/// Text as it can be shown on one line: as excerpt() does it, cut after 60 characters.
+std::string shown(std::string_view text);
+
+/// 1234567 as "1 234 567".
+std::string grouped(unsigned long long number);
+
+}  // namespace zraka

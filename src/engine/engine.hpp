@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// What render/ sees of the engine: settings and memory to give it, a function per instruction set
+// to call.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <zraka/render.hpp>
+
+#include "scene/frozen.hpp"
+
+namespace zraka {
+
+/// Everything besides the scene that a pixel's colour depends on.
+struct TraceSettings {
+  Terms terms;
+  int max_depth = 4;
+  bool clamp_levels = false;
+  bool mirror_when_total = true;
+};
+
+/// A rectangle of pixels: columns [x, x + width), rows [y, y + height).
+struct TileRect {
+  std::int32_t x, y, width, height;
+};
+
+/// Arrays start and end on cache lines, and have room for one store of any width past their last
+/// value.
+inline constexpr std::size_t kArrayPadding = 16;
+
+/// Rays of one level, waiting for their colour. Structure of arrays, 2·batch values each.
+template <class R>
+struct RayArrays {
+  R *ox, *oy, *oz;  ///< origin
+  R *dx, *dy, *dz;  ///< direction, unit length
+  R *r, *g, *b;     ///< colour, once it is known
+};
+
+/// What the fold needs of the hits of one batch. Structure of arrays, batch values each.
+template <class R>
+struct HitArrays {
+  std::int32_t* ray;                    ///< which ray of the level
+  R *r, *g, *b;                         ///< local light
+  R *reflection, *refraction;           ///< shares of the children
+  std::int32_t *reflected, *refracted;  ///< which rays of the next level; -1: none
+};
+
+/// One level of the ray trees: its rays in batches, of which one at a time has children below.
+template <class R>
+struct Level {
+  RayArrays<R> rays;
+  HitArrays<R> hits;
+  std::int32_t ray_count;
+  std::int32_t done;       ///< rays whose colour is known
+  std::int32_t in_batch;   ///< rays after those that are being traced
+  std::int32_t hit_count;  ///< of the batch
+};
+
+/// What is computed for a batch and not needed for the fold. Structure of arrays, batch values
+/// each.
+template <class R>
+struct Scratch {
+  R* t;              ///< distance to the nearest hit, by ray
+  std::int32_t* id;  ///< its primitive, by ray; -1: none
+  R *px, *py, *pz;   ///< the rest by hit: point
+  R *nx, *ny, *nz;   ///< unit normal towards the viewer
+  R *vx, *vy, *vz;   ///< unit direction to the viewer
+  R* offset;         ///< how far along the normal the next rays start
+  R* inside;         ///< 1 where the ray met the surface from inside, else 0
+  std::int32_t* material;
+  R* lit;  ///< 1 where the light at hand reaches the hit, else 0
+  R *fox, *foy, *foz, *fdx, *fdy, *fdz, *fdistance;  ///< by feeler
+  std::int32_t* feeler_hit;
+};
+
+/// One thread's memory, made once and used for tile after tile (render/workspace.hpp).
+template <class R>
+struct Workspace {
+  Level<R>* levels;  ///< max_depth + 1
+  Scratch<R> scratch;
+  std::int32_t batch;  ///< at least the pixels of a tile
+};
+
+/// One way to compute, for render/ to pick.
+template <class R>
+struct Kernel {
+  /// Traces a tile; the linear colours go to pixels[(row·stride + column)·3], counted from the
+  /// picture's start.
+  void (*trace_tile)(const FrozenScene<R>& scene, const TraceSettings& settings,
+                     const TileRect& tile, Workspace<R>& workspace, RayCounts& counts,
+                     float* pixels, std::size_t stride);
+  int lanes;
+};
+
+// Defined by kernel.cpp, once per instruction set that the build has.
+namespace isa_avx512 {
+extern const Kernel<float> kKernel;
+}
+namespace isa_avx2 {
+extern const Kernel<float> kKernel;
+}
+namespace isa_portable {
+extern const Kernel<float> kKernel;
+}
+namespace isa_oracle {
+extern const Kernel<double> kKernel;
+}
+
+}  // namespace zraka

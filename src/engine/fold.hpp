@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the deepest level up: what a ray brings back (sheet 3.6).
+#pragma once
+
+#include "engine/engine.hpp"
+#include "math/lanes.hpp"
+
+namespace zraka::ZRAKA_ISA {
+
+/// sum + share·colour of the child, where there is one. A hit without a child adds nothing.
+template <class L, class R = typename L::Real>
+ZRAKA_INLINE V3<typename L::F> add_child(const V3<typename L::F>& sum, const R* shares,
+                                         const std::int32_t* children, const RayArrays<R>& rays) {
+  using F = typename L::F;
+  using I = typename L::I;
+  const I child = L::load(children);
+  const auto there = child >= I(0);
+  if (!any(there)) return sum;
+  const I place = select(there, child, I(0));
+  const F share = L::load(shares);
+  const V3<F> color{L::gather(rays.r, place), L::gather(rays.g, place), L::gather(rays.b, place)};
+  const V3<F> more = sum + color * share;
+  return {select(there, more.x, sum.x), select(there, more.y, sum.y), select(there, more.z, sum.z)};
+}
+
+/// C = local + k1·Crefl + k2·Crefr for each hit of the level's batch, which is then done; the
+/// components are clamped to 0…1 where the profile says so. Without children `next` is not looked
+/// at.
+template <class L, class R = typename L::Real>
+void fold(const TraceSettings& settings, Level<R>& level, const Level<R>* next) {
+  using F = typename L::F;
+  using I = typename L::I;
+  const auto n = static_cast<std::size_t>(level.hit_count);
+  const HitArrays<R>& hits = level.hits;
+  for (std::size_t h = 0; h < n; h += L::kWidth) {
+    V3<F> color{L::load(hits.r + h), L::load(hits.g + h), L::load(hits.b + h)};
+    if (next != nullptr) {
+      color = add_child<L>(color, hits.reflection + h, hits.reflected + h, next->rays);
+      color = add_child<L>(color, hits.refraction + h, hits.refracted + h, next->rays);
+    }
+    if (settings.clamp_levels) {
+      const auto clamp = [](const F& c) { return min(max(c, F(0)), F(1)); };
+      color = {clamp(color.x), clamp(color.y), clamp(color.z)};
+    }
+    const auto exists = L::first(n - h);
+    const I ray = L::load(hits.ray + h) + I(level.done);
+    L::scatter(color.x, exists, level.rays.r, ray);
+    L::scatter(color.y, exists, level.rays.g, ray);
+    L::scatter(color.z, exists, level.rays.b, ray);
+  }
+  level.done += level.in_batch;
+  level.in_batch = 0;
+}
+
+}  // namespace zraka::ZRAKA_ISA

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nearest hits of a batch of rays, and the surface at each (sheet 3.3 and 3.7).
+#pragma once
+
+#include "accel/flat_list.hpp"
+#include "engine/engine.hpp"
+
+namespace zraka::ZRAKA_ISA {
+
+/// The rays [i, i + kWidth) of a level.
+template <class L, class R = typename L::Real>
+ZRAKA_INLINE RayLanes<L> load_rays(const RayArrays<R>& rays, std::size_t i) {
+  return {{L::load(rays.ox + i), L::load(rays.oy + i), L::load(rays.oz + i)},
+          {L::load(rays.dx + i), L::load(rays.dy + i), L::load(rays.dz + i)},
+          typename L::F(kFarAway<R>),
+          typename L::I(-1)};
+}
+
+/// Finds what each ray of the batch meets, lists those that meet something in hits.ray, and gives
+/// the others the background's colour.
+template <class L, class R = typename L::Real>
+void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scratch) {
+  using F = typename L::F;
+  using I = typename L::I;
+  const auto begin = static_cast<std::size_t>(level.done);
+  const auto n = static_cast<std::size_t>(level.in_batch);
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < n; i += L::kWidth) {
+    RayLanes<L> ray = load_rays<L>(level.rays, begin + i);
+    find_nearest<L>(scene, ray);
+    const auto met = both(ray.id >= I(0), L::first(n - i));
+    L::store(ray.t, scratch.t + i);
+    L::store(ray.id, scratch.id + i);
+    L::store(F(scene.background.x), level.rays.r + begin + i);
+    L::store(F(scene.background.y), level.rays.g + begin + i);
+    L::store(F(scene.background.z), level.rays.b + begin + i);
+    L::compress_store(L::iota(static_cast<std::int32_t>(i)), met, level.hits.ray + hits);
+    hits += count(met);
+  }
+  level.hit_count = static_cast<std::int32_t>(hits);
+}
+
+/// The surface of those lanes whose primitive is of this kind; others stay as they are.
+template <class L, class Shape>
+ZRAKA_INLINE void surface_of(const FrozenShapes<typename L::Real, Shape>& shapes, typename L::I id,
+                             const V3<typename L::F>& point, SurfacePoint<typename L::F>& surface,
+                             typename L::I& material) {
+  using F = typename L::F;
+  using I = typename L::I;
+  const auto mine = but_not(id >= I(shapes.first_id), id >= I(shapes.first_id + shapes.count));
+  if (!any(mine)) return;
+  const I index = select(mine, id + I(-shapes.first_id), I(0));
+  F shape[ShapeTraits<Shape>::kReals];
+  for (int k = 0; k < ShapeTraits<Shape>::kReals; ++k)
+    shape[k] = L::gather(shapes.column[k], index);
+  const SurfacePoint<F> found = ShapeLanes<Shape, L>::surface(shape, point);
+  const auto pick = [&](const V3<F>& a, const V3<F>& b) {
+    return V3<F>{select(mine, a.x, b.x), select(mine, a.y, b.y), select(mine, a.z, b.z)};
+  };
+  surface.point = pick(found.point, surface.point);
+  surface.normal = pick(found.normal, surface.normal);
+  surface.offset = select(mine, found.offset, surface.offset);
+  material = select(mine, L::gather(shapes.material, index), material);
+}
+
+/// Point, normal towards the viewer, and material of each hit.
+template <class L, class R = typename L::Real>
+void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R>& scratch) {
+  using F = typename L::F;
+  using I = typename L::I;
+  const auto n = static_cast<std::size_t>(level.hit_count);
+  const R *ox = level.rays.ox + level.done, *oy = level.rays.oy + level.done,
+          *oz = level.rays.oz + level.done, *dx = level.rays.dx + level.done,
+          *dy = level.rays.dy + level.done, *dz = level.rays.dz + level.done;
+  for (std::size_t h = 0; h < n; h += L::kWidth) {
+    const I ray = select(L::first(n - h), L::load(level.hits.ray + h), I(level.hits.ray[h]));
+    const V3<F> origin{L::gather(ox, ray), L::gather(oy, ray), L::gather(oz, ray)};
+    const V3<F> direction{L::gather(dx, ray), L::gather(dy, ray), L::gather(dz, ray)};
+    const V3<F> point = origin + direction * L::gather(scratch.t, ray);
+
+    SurfacePoint<F> surface{point, -direction, F(0)};
+    I material(0);
+    const I id = L::gather(scratch.id, ray);
+#define ZRAKA_SURFACE(Type, plural) surface_of<L>(scene.plural, id, point, surface, material);
+    ZRAKA_SHAPES(ZRAKA_SURFACE)
+#undef ZRAKA_SURFACE
+
+    // The normal is turned to the side that the ray comes from (sheet 3.7).
+    const auto inside = dot(surface.normal, direction) > F(0);
+    const V3<F> n_out = surface.normal;
+    const V3<F> n_view{select(inside, -n_out.x, n_out.x), select(inside, -n_out.y, n_out.y),
+                       select(inside, -n_out.z, n_out.z)};
+    L::store(surface.point.x, scratch.px + h);
+    L::store(surface.point.y, scratch.py + h);
+    L::store(surface.point.z, scratch.pz + h);
+    L::store(n_view.x, scratch.nx + h);
+    L::store(n_view.y, scratch.ny + h);
+    L::store(n_view.z, scratch.nz + h);
+    L::store(-direction.x, scratch.vx + h);
+    L::store(-direction.y, scratch.vy + h);
+    L::store(-direction.z, scratch.vz + h);
+    L::store(surface.offset, scratch.offset + h);
+    L::store(select(inside, F(1), F(0)), scratch.inside + h);
+    L::store(material, scratch.material + h);
+  }
+}
+
+}  // namespace zraka::ZRAKA_ISA

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The engine for one instruction set. CMake compiles this file once for each, with ZRAKA_ISA naming
+// the namespace, the compiler's flags for the set, and ZRAKA_WIDE where Highway's lanes are used.
+#include "engine/trace_tile.hpp"
+
+namespace zraka::ZRAKA_ISA {
+
+#ifdef ZRAKA_WIDE
+using Lanes = WideLanes;
+#else
+using Lanes = ScalarLanes<double>;
+#endif
+
+extern const Kernel<Lanes::Real> kKernel;
+const Kernel<Lanes::Real> kKernel = {trace_tile<Lanes>, static_cast<int>(Lanes::kWidth)};
+
+}  // namespace zraka::ZRAKA_ISA

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// Local light: Phong's model with shadow feelers (sheet 3.3).
+#pragma once
+
+#include "accel/flat_list.hpp"
+#include "engine/camera_rays.hpp"
+#include "engine/engine.hpp"
+#include "math/power.hpp"
+
+namespace zraka::ZRAKA_ISA {
+
+/// Columns of the materials of kWidth hits; one row for all of them where they share it.
+template <class L>
+struct MaterialLanes {
+  const typename L::Real* rows;
+  typename L::I row;  ///< index of the row's first number
+  bool shared;
+
+  using F = typename L::F;
+  ZRAKA_INLINE F operator[](int column) const {
+    if (shared) return F(rows[first_lane(row) + column]);
+    return L::gather(rows + column, row);
+  }
+  ZRAKA_INLINE V3<F> color(int column) const {
+    return {(*this)[column], (*this)[column + 1], (*this)[column + 2]};
+  }
+};
+
+/// The materials of hits [h, h + kWidth), of which the first n - h exist.
+template <class L, class R = typename L::Real>
+ZRAKA_INLINE MaterialLanes<L> load_materials(const R* rows, const Scratch<R>& scratch,
+                                             std::size_t h, std::size_t n) {
+  using I = typename L::I;
+  const I first(scratch.material[h]);
+  const I material = select(L::first(n - h), L::load(scratch.material + h), first);
+  static_assert(kMaterialReals == 16);
+  const I two = material + material, four = two + two, eight = four + four;
+  return {rows, eight + eight, all(material == first)};
+}
+
+/// From hit to light: unit direction and distance.
+template <class L>
+struct ToLight {
+  V3<typename L::F> direction;
+  typename L::F distance;
+};
+
+template <class L, class R = typename L::Real>
+ZRAKA_INLINE ToLight<L> towards(const FrozenLight<R>& light, const Scratch<R>& scratch,
+                                std::size_t h) {
+  using F = typename L::F;
+  const V3<F> way =
+      broadcast<L>(light.position) -
+      V3<F>{L::load(scratch.px + h), L::load(scratch.py + h), L::load(scratch.pz + h)};
+  const F distance = sqrt(dot(way, way));
+  return {way * (F(1) / distance), distance};
+}
+
+template <class L, class R = typename L::Real>
+ZRAKA_INLINE V3<typename L::F> load_normal(const Scratch<R>& scratch, std::size_t h) {
+  return {L::load(scratch.nx + h), L::load(scratch.ny + h), L::load(scratch.nz + h)};
+}
+
+/// Feelers from the hits that face the light; scratch.lit says which hits face it.
+template <class L, class R = typename L::Real>
+std::size_t make_feelers(const FrozenLight<R>& light, std::size_t n, Scratch<R>& scratch) {
+  using F = typename L::F;
+  std::size_t feelers = 0;
+  for (std::size_t h = 0; h < n; h += L::kWidth) {
+    const V3<F> normal = load_normal<L>(scratch, h);
+    const ToLight<L> light_way = towards<L>(light, scratch, h);
+    const auto facing = both(dot(light_way.direction, normal) >= F(0), L::first(n - h));
+    const F offset = L::load(scratch.offset + h);
+    L::store(select(facing, F(1), F(0)), scratch.lit + h);
+    L::compress_store(L::load(scratch.px + h) + normal.x * offset, facing, scratch.fox + feelers);
+    L::compress_store(L::load(scratch.py + h) + normal.y * offset, facing, scratch.foy + feelers);
+    L::compress_store(L::load(scratch.pz + h) + normal.z * offset, facing, scratch.foz + feelers);
+    L::compress_store(light_way.direction.x, facing, scratch.fdx + feelers);
+    L::compress_store(light_way.direction.y, facing, scratch.fdy + feelers);
+    L::compress_store(light_way.direction.z, facing, scratch.fdz + feelers);
+    L::compress_store(light_way.distance, facing, scratch.fdistance + feelers);
+    L::compress_store(L::iota(static_cast<std::int32_t>(h)), facing, scratch.feeler_hit + feelers);
+    feelers += count(facing);
+  }
+  return feelers;
+}
+
+/// Puts out the hits whose feeler meets a shape before the light.
+template <class L, class R = typename L::Real>
+void trace_feelers(const FrozenScene<R>& scene, std::size_t feelers, Scratch<R>& scratch) {
+  using F = typename L::F;
+  for (std::size_t i = 0; i < feelers; i += L::kWidth) {
+    const RayLanes<L> ray{
+        {L::load(scratch.fox + i), L::load(scratch.foy + i), L::load(scratch.foz + i)},
+        {L::load(scratch.fdx + i), L::load(scratch.fdy + i), L::load(scratch.fdz + i)},
+        L::load(scratch.fdistance + i),
+        typename L::I(-1)};
+    const auto blocked = find_blocked<L>(scene, ray, L::first(feelers - i));
+    if (any(blocked)) L::scatter(F(0), blocked, scratch.lit, L::load(scratch.feeler_hit + i));
+  }
+}
+
+/// Adds one light's diffuse and specular terms to the hits that it reaches.
+template <class L, class R = typename L::Real>
+void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const Terms& terms,
+               Level<R>& level, const Scratch<R>& scratch) {
+  using F = typename L::F;
+  const auto n = static_cast<std::size_t>(level.hit_count);
+  const V3<F> intensity = broadcast<L>(light.color);
+  for (std::size_t h = 0; h < n; h += L::kWidth) {
+    const auto lit = both(L::load(scratch.lit + h) > F(0), L::first(n - h));
+    if (!any(lit)) continue;
+    const auto material = load_materials<L>(scene.materials, scratch, h, n);
+    const V3<F> normal = load_normal<L>(scratch, h);
+    const V3<F> l = towards<L>(light, scratch, h).direction;
+    const F l_n = dot(l, normal);
+    V3<F> sum{L::load(level.hits.r + h), L::load(level.hits.g + h), L::load(level.hits.b + h)};
+    if (terms.diffuse) {
+      const V3<F> more = sum + intensity * material.color(kDiffuse) * l_n;
+      sum = {select(lit, more.x, sum.x), select(lit, more.y, sum.y), select(lit, more.z, sum.z)};
+    }
+    if (terms.specular) {
+      const V3<F> v{L::load(scratch.vx + h), L::load(scratch.vy + h), L::load(scratch.vz + h)};
+      const V3<F> r = normal * (l_n + l_n) - l;  // the mirror of L about N
+      const F r_v = dot(r, v);
+      const auto shines = both(lit, r_v >= F(0));
+      if (any(shines)) {
+        const F highlight = power(min(max(r_v, F(0)), F(1)), material[kShininess]);
+        const V3<F> more = sum + intensity * material.color(kSpecular) * highlight;
+        sum = {select(shines, more.x, sum.x), select(shines, more.y, sum.y),
+               select(shines, more.z, sum.z)};
+      }
+    }
+    L::store(sum.x, level.hits.r + h);
+    L::store(sum.y, level.hits.g + h);
+    L::store(sum.z, level.hits.b + h);
+  }
+}
+
+/// The ambient term, or white for a silhouette.
+template <class L, class R = typename L::Real>
+void start_local(const FrozenScene<R>& scene, const Terms& terms, Level<R>& level,
+                 const Scratch<R>& scratch) {
+  using F = typename L::F;
+  const auto n = static_cast<std::size_t>(level.hit_count);
+  const V3<F> ambient_light = broadcast<L>(scene.ambient_light);
+  const F plain(terms.silhouette ? R(1) : R(0));
+  for (std::size_t h = 0; h < n; h += L::kWidth) {
+    V3<F> local{plain, plain, plain};
+    if (terms.ambient && !terms.silhouette)
+      local = ambient_light * load_materials<L>(scene.materials, scratch, h, n).color(kAmbient);
+    L::store(local.x, level.hits.r + h);
+    L::store(local.y, level.hits.g + h);
+    L::store(local.z, level.hits.b + h);
+  }
+}
+
+/// I = Ia·ka + for each light that reaches the hit: Ii·kd·(L·N) + Ii·ks·(R·V)^n.
+template <class L, class R = typename L::Real>
+void light_hits(const FrozenScene<R>& scene, const TraceSettings& settings, Level<R>& level,
+                Scratch<R>& scratch, RayCounts& counts) {
+  const Terms& terms = settings.terms;
+  start_local<L>(scene, terms, level, scratch);
+  if (terms.silhouette || !(terms.diffuse || terms.specular)) return;
+  for (std::int32_t i = 0; i < scene.light_count; ++i) {
+    const auto n = static_cast<std::size_t>(level.hit_count);
+    const std::size_t feelers = make_feelers<L>(scene.lights[i], n, scratch);
+    if (terms.shadows) {
+      trace_feelers<L>(scene, feelers, scratch);
+      counts.shadow += feelers;
+    }
+    add_light<L>(scene, scene.lights[i], terms, level, scratch);
+  }
+}
+
+}  // namespace zraka::ZRAKA_ISA

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Children of hits: reflected and refracted rays (sheet 3.4 and 3.5).
+#pragma once
+
+#include "engine/engine.hpp"
+#include "engine/light.hpp"
+
+namespace zraka::ZRAKA_ISA {
+
+/// Appends the wanted lanes to the level as rays, and returns each lane's place there, -1 where
+/// none. Directions come in with a length within a few roundings of 1 and leave nearer to it (one
+/// Newton step).
+template <class L, class R = typename L::Real>
+ZRAKA_INLINE void append_rays(Level<R>& level, const V3<typename L::F>& origin,
+                              const V3<typename L::F>& direction, typename L::M wanted,
+                              std::int32_t* places) {
+  using F = typename L::F;
+  const auto at = static_cast<std::size_t>(level.ray_count);
+  const V3<F> unit = direction * (F(1.5f) - F(0.5f) * dot(direction, direction));
+  L::compress_store(origin.x, wanted, level.rays.ox + at);
+  L::compress_store(origin.y, wanted, level.rays.oy + at);
+  L::compress_store(origin.z, wanted, level.rays.oz + at);
+  L::compress_store(unit.x, wanted, level.rays.dx + at);
+  L::compress_store(unit.y, wanted, level.rays.dy + at);
+  L::compress_store(unit.z, wanted, level.rays.dz + at);
+  // The k-th wanted lane gets place at + k.
+  alignas(64) typename L::Real flags[L::kWidth];
+  L::store(select(wanted, F(1), F(0)), flags);
+  auto next = level.ray_count;
+  for (std::size_t i = 0; i < L::kWidth; ++i) places[i] = flags[i] != 0 ? next++ : -1;
+  level.ray_count = next;
+}
+
+/// U·N and the frame of a hit that its children start from.
+template <class L, class R = typename L::Real>
+struct HitLanes {
+  using F = typename L::F;
+  V3<F> point, normal, view;
+  F offset, cosine;
+
+  ZRAKA_INLINE HitLanes(const Scratch<R>& scratch, std::size_t h)
+      : point{L::load(scratch.px + h), L::load(scratch.py + h), L::load(scratch.pz + h)},
+        normal(load_normal<L>(scratch, h)),
+        view{L::load(scratch.vx + h), L::load(scratch.vy + h), L::load(scratch.vz + h)},
+        offset(L::load(scratch.offset + h)),
+        cosine(dot(view, normal)) {}
+};
+
+/// Ratio n1/n2 for a ray that comes from the hit's viewer, and D/4 of sheet 3.5.
+template <class L, class R = typename L::Real>
+struct Snell {
+  using F = typename L::F;
+  F b, d;
+  ZRAKA_INLINE Snell(const MaterialLanes<L>& material, const Scratch<R>& scratch, std::size_t h,
+                     F cosine)
+      : b(select(L::load(scratch.inside + h) > F(0), material[kRatioOut], material[kRatioIn])),
+        d(b * b * cosine * cosine - b * b + F(1)) {}
+};
+
+/// R = 2(U·N)N - U, and the shares of both children. With mirror_when_total the share of a
+/// refracted ray that cannot be goes to the reflected one.
+template <class L, class R = typename L::Real>
+void spawn_reflected(const FrozenScene<R>& scene, const TraceSettings& settings, Level<R>& level,
+                     const Scratch<R>& scratch, Level<R>& next, RayCounts& counts) {
+  using F = typename L::F;
+  const auto n = static_cast<std::size_t>(level.hit_count);
+  const std::int32_t before = next.ray_count;
+  for (std::size_t h = 0; h < n; h += L::kWidth) {
+    const auto material = load_materials<L>(scene.materials, scratch, h, n);
+    F reflection = settings.terms.reflection ? material[kReflection] : F(0);
+    F refraction = settings.terms.refraction ? material[kRefraction] : F(0);
+    const HitLanes<L> hit(scratch, h);
+    if (settings.terms.refraction && any(but_not(L::first(n - h), refraction == F(0)))) {
+      const Snell<L> snell(material, scratch, h, hit.cosine);
+      const auto passes = snell.d >= F(0);
+      if (settings.mirror_when_total)
+        reflection = select(passes, reflection, reflection + refraction);
+      refraction = select(passes, refraction, F(0));
+    }
+    L::store(reflection, level.hits.reflection + h);
+    L::store(refraction, level.hits.refraction + h);
+    append_rays<L>(next, hit.point + hit.normal * hit.offset,
+                   hit.normal * (hit.cosine + hit.cosine) - hit.view,
+                   but_not(L::first(n - h), reflection == F(0)), level.hits.reflected + h);
+  }
+  counts.reflected += static_cast<std::uint64_t>(next.ray_count - before);
+}
+
+/// R = -aN - bU with a = -b·cos α + √(D/4), where D is not negative.
+template <class L, class R = typename L::Real>
+void spawn_refracted(const FrozenScene<R>& scene, Level<R>& level, const Scratch<R>& scratch,
+                     Level<R>& next, RayCounts& counts) {
+  using F = typename L::F;
+  const auto n = static_cast<std::size_t>(level.hit_count);
+  const std::int32_t before = next.ray_count;
+  for (std::size_t h = 0; h < n; h += L::kWidth) {
+    const F refraction = L::load(level.hits.refraction + h);
+    const auto wanted = but_not(L::first(n - h), refraction == F(0));
+    if (!any(wanted)) {
+      L::store(typename L::I(-1), level.hits.refracted + h);
+      continue;
+    }
+    const auto material = load_materials<L>(scene.materials, scratch, h, n);
+    const HitLanes<L> hit(scratch, h);
+    const Snell<L> snell(material, scratch, h, hit.cosine);
+    const F a = sqrt(max(snell.d, F(0))) - snell.b * hit.cosine;
+    append_rays<L>(next, hit.point - hit.normal * hit.offset,
+                   -(hit.normal * a) - hit.view * snell.b, wanted, level.hits.refracted + h);
+  }
+  counts.refracted += static_cast<std::uint64_t>(next.ray_count - before);
+}
+
+}  // namespace zraka::ZRAKA_ISA

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole flow: the ray trees of a tile's pixels, grown level by level and folded bottom-up. This
+// is the sheet's TraceRay without its recursion; each step below is a file beside this one.
+#pragma once
+
+#include "engine/camera_rays.hpp"
+#include "engine/engine.hpp"
+#include "engine/fold.hpp"
+#include "engine/hits.hpp"
+#include "engine/light.hpp"
+#include "engine/spawn.hpp"
+
+namespace zraka::ZRAKA_ISA {
+
+/// Traces the next rays of a level, as many as a batch holds, and puts their children into `next`;
+/// nullptr where rays have reached the greatest depth.
+template <class L, class R = typename L::Real>
+void trace_batch(const FrozenScene<R>& scene, const TraceSettings& settings, Level<R>& level,
+                 Level<R>* next, Workspace<R>& workspace, RayCounts& counts) {
+  const std::int32_t left = level.ray_count - level.done;
+  level.in_batch = left < workspace.batch ? left : workspace.batch;
+
+  trace_nearest<L>(scene, level, workspace.scratch);
+  counts.hits += static_cast<std::uint64_t>(level.hit_count);
+  find_surfaces<L>(scene, level, workspace.scratch);
+  light_hits<L>(scene, settings, level, workspace.scratch, counts);
+
+  if (next == nullptr || settings.terms.silhouette) return;
+  if (!settings.terms.reflection && !settings.terms.refraction) return;
+  spawn_reflected<L>(scene, settings, level, workspace.scratch, *next, counts);
+  spawn_refracted<L>(scene, level, workspace.scratch, *next, counts);
+}
+
+/// Grows and folds the trees of the rays in level 0. A batch has at most two children a ray, so a
+/// level never holds more than two batches: memory is bounded by the depth, however the trees
+/// branch.
+template <class L, class R = typename L::Real>
+void trace_trees(const FrozenScene<R>& scene, const TraceSettings& settings,
+                 Workspace<R>& workspace, RayCounts& counts) {
+  for (int depth = 0;;) {
+    Level<R>& level = workspace.levels[depth];
+    if (level.done < level.ray_count) {
+      Level<R>* next = depth < settings.max_depth ? &level + 1 : nullptr;
+      if (next != nullptr) next->ray_count = next->done = 0;
+      trace_batch<L>(scene, settings, level, next, workspace, counts);
+      if (next != nullptr && next->ray_count > 0)
+        ++depth;  // the children first
+      else
+        fold<L>(settings, level, static_cast<Level<R>*>(nullptr));
+    } else if (depth > 0) {
+      --depth;  // all the children's colours are known
+      fold<L>(settings, workspace.levels[depth], &level);
+    } else {
+      return;
+    }
+  }
+}
+
+template <class L, class R = typename L::Real>
+void trace_tile(const FrozenScene<R>& scene, const TraceSettings& settings, const TileRect& tile,
+                Workspace<R>& workspace, RayCounts& counts, float* pixels, std::size_t stride) {
+  Level<R>& top = workspace.levels[0];
+  top.done = 0;
+  make_camera_rays<L>(scene.camera, tile, top);
+  counts.camera += static_cast<std::uint64_t>(top.ray_count);
+  trace_trees<L>(scene, settings, workspace, counts);
+
+  std::size_t i = 0;
+  for (std::int32_t y = 0; y < tile.height; ++y) {
+    float* out = pixels + 3 * (static_cast<std::size_t>(tile.y + y) * stride +
+                               static_cast<std::size_t>(tile.x));
+    for (std::int32_t x = 0; x < tile.width; ++x, ++i) {
+      *out++ = static_cast<float>(top.rays.r[i]);
+      *out++ = static_cast<float>(top.rays.g[i]);
+      *out++ = static_cast<float>(top.rays.b[i]);
+    }
+  }
+}
+
+}  // namespace zraka::ZRAKA_ISA

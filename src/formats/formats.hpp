@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a reader provides. The list of readers is in formats.cpp.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <zraka/formats.hpp>
+
+namespace zraka {
+
+struct Format {
+  const char* name;       ///< for people and --help
+  const char* extension;  ///< with its dot; "" where a format has none of its own
+  std::uint64_t largest;  ///< bytes that a file may have
+  Result<ReadScene> (*parse)(std::string_view text, const std::string& name);
+};
+
+Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name);
+
+}  // namespace zraka

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reader of the course's input.txt (docs/input-txt.md).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/text.hpp"
+#include "formats/formats.hpp"
+#include "formats/lab_tokens.hpp"
+#include "formats/lab_values.hpp"
+#include "math/frame.hpp"
+
+namespace zraka {
+namespace {
+
+using lab::Token;
+
+constexpr const char* kDecimalComma =
+    "',' and ':' end a value, so a decimal comma (0,6) makes two values of one: write 0.6";
+
+/// A file with more problems than this is something else than the course's format.
+constexpr std::size_t kEnoughErrors = 100;
+
+class Reader {
+ public:
+  Reader(std::string_view text, const std::string& name)
+      : text_(text), name_(name), tokens_(text), places_(text) {}
+
+  Result<ReadScene> read();
+
+ private:
+  Diagnostic problem(Severity severity, std::size_t position, std::string message,
+                     std::string hint = {});
+  void error(std::size_t position, std::string message, std::string hint = {});
+  void warn(std::size_t position, std::string message, std::string hint = {});
+  void report_strays();
+
+  std::string name_of_value() const;
+  bool next_value(double& value);
+  void watch_labels(const Token& token);
+  void read_head();
+  void read_count(double value);
+  bool read_sphere();
+  void check_rest();
+  bool check_is_text();
+
+  std::string_view text_;
+  std::string name_;
+  lab::Tokens tokens_;
+  Places places_;
+  Scene scene_;
+  Diagnostics errors_, warnings_;
+
+  std::size_t value_ = 0;        ///< place of the next value in the head or in its sphere
+  std::uint64_t sphere_ = 0;     ///< which sphere, from 1; 0 in the head
+  std::uint64_t announced_ = 0;  ///< how many spheres the file says it has
+  bool count_known_ = false;
+  bool ended_ = false;         ///< no value is left in the file
+  std::size_t position_ = 0;   ///< of the last value
+  std::string comma_suspect_;  ///< where a label has more values than it should
+};
+
+Diagnostic Reader::problem(Severity severity, std::size_t position, std::string message,
+                           std::string hint) {
+  const Place place = places_.at(position);
+  return {severity,
+          name_,
+          place.line,
+          place.column,
+          std::move(message),
+          std::move(hint),
+          places_.excerpt(position)};
+}
+void Reader::error(std::size_t position, std::string message, std::string hint) {
+  errors_.push_back(problem(Severity::error, position, std::move(message), std::move(hint)));
+}
+void Reader::warn(std::size_t position, std::string message, std::string hint) {
+  warnings_.push_back(problem(Severity::warning, position, std::move(message), std::move(hint)));
+}
+
+/// "radius of sphere 3": the value that comes next.
+std::string Reader::name_of_value() const {
+  if (sphere_ == 0) {
+    const auto [field, i] = lab::field_at(lab::kHead, value_);
+    return field.names[i];
+  }
+  const auto [field, i] = lab::field_at(lab::kSphere, value_);
+  return fmt::format("{} of sphere {}", field.names[i], sphere_);
+}
+
+void Reader::report_strays() {
+  for (const lab::StrayBracket& stray : tokens_.strays) {
+    if (stray.bracket == '>')
+      error(stray.position, fmt::format("stray '>' at {}: no '<' is open", name_of_value()));
+    else
+      error(stray.position,
+            fmt::format("'<' is never closed: expected '>' and then {}", name_of_value()));
+  }
+  tokens_.strays.clear();
+}
+
+/// Notes where more values stand behind one label than the course's file has there: should the
+/// count of all values come out wrong, that is where a decimal comma is likely.
+void Reader::watch_labels(const Token& token) {
+  if (!token.labelled || !comma_suspect_.empty()) return;
+  const auto [field, i] =
+      sphere_ == 0 ? lab::field_at(lab::kHead, value_) : lab::field_at(lab::kSphere, value_);
+  if (i != 0) return;
+  const std::size_t here = tokens_.position();
+  const std::size_t strays = tokens_.strays.size();
+  std::size_t values = 1;
+  Token ahead;
+  while (values <= 2 * field.size && tokens_.next(ahead) && !ahead.labelled) ++values;
+  tokens_.rewind(here);
+  tokens_.strays.resize(strays);
+  if (values <= field.size || values > 2 * field.size) return;
+  comma_suspect_ =
+      fmt::format("line {} has {} values for {}, not {}; {}", places_.at(token.position).line,
+                  values, name_of_value(), field.size, kDecimalComma);
+}
+
+/// The next value; 0, with an error, where there is something else. False at the end of the file.
+bool Reader::next_value(double& value) {
+  value = 0;
+  Token token;
+  const bool more = tokens_.next(token);
+  const bool unclosed = !tokens_.strays.empty() && tokens_.strays.back().bracket == '<';
+  report_strays();
+  position_ = token.position;
+  if (errors_.size() >= kEnoughErrors) {
+    ended_ = true;
+    error(token.position, "too many problems; the rest of the file is not read");
+    return false;
+  }
+  if (!more) {
+    ended_ = true;
+    if (!unclosed && (sphere_ == 0 || count_known_)) {
+      std::string hint = comma_suspect_;
+      if (hint.empty() && sphere_ > 0)
+        hint = fmt::format(
+            "{} of {} spheres are complete, and {} of the {} values of sphere {} are there",
+            sphere_ - 1, announced_, value_, +lab::kSphereValues, sphere_);
+      error(token.position, fmt::format("the file ends: expected {}", name_of_value()), hint);
+    }
+    return false;
+  }
+  watch_labels(token);
+  const std::string_view text = token.text;
+  const std::optional<double> number = parse_number(text);
+  if (text.empty()) {
+    error(token.position,
+          fmt::format("nothing stands before the separator: expected {}", name_of_value()));
+  } else if (number && std::isfinite(*number)) {
+    value = *number;
+    ++value_;
+    return true;
+  } else if (number) {
+    error(token.position,
+          fmt::format("'{}' is too large: expected {}", shown(text), name_of_value()));
+  } else {
+    const std::size_t space = text.find_first_of(" \t\r\n");
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    const std::string_view bare = lower.starts_with('-') || lower.starts_with('+')
+                                      ? std::string_view(lower).substr(1)
+                                      : std::string_view(lower);
+    if (bare == "nan" || bare == "inf" || bare == "infinity")
+      error(token.position,
+            fmt::format("'{}' is not finite: expected {}", shown(text), name_of_value()));
+    else if (space != std::string_view::npos && parse_number(text.substr(0, space)))
+      error(
+          token.position,
+          fmt::format("'{}' has more after the number: expected {}", shown(text), name_of_value()),
+          "only ',' or ':' ends a value; a space or a new line does not");
+    else
+      error(token.position,
+            fmt::format("'{}' is not a number: expected {}", shown(text), name_of_value()));
+  }
+  value = std::numeric_limits<double>::quiet_NaN();  // already reported
+  ++value_;
+  return true;
+}
+
+void Reader::read_count(double value) {
+  count_known_ = false;
+  if (std::isnan(value)) return;
+  if (value < 0 || value != std::floor(value)) {
+    error(position_,
+          fmt::format("number of spheres is {}: expected a whole number, 0 or more", value));
+    return;
+  }
+  // 17 values and their separators take 34 bytes; the last separator may be missing.
+  const std::size_t room = (text_.size() - tokens_.position() + 1) / (2 * lab::kSphereValues);
+  if (value > static_cast<double>(room)) {
+    error(position_,
+          fmt::format("number of spheres is {}, but the rest of the file has room for {} at most",
+                      value, room),
+          comma_suspect_);
+    return;
+  }
+  announced_ = static_cast<std::uint64_t>(value);
+  count_known_ = true;
+}
+
+void Reader::read_head() {
+  double v[lab::kHeadValues];
+  for (double& value : v) {
+    const std::size_t place = value_;
+    if (!next_value(value)) return;
+    if (place == lab::kSize && value <= 0)
+      error(position_,
+            fmt::format("size of the window is {}: expected a number greater than 0", value));
+    if (place == lab::kResolution && !std::isnan(value)) {
+      if (value < 1 || value != std::floor(value))
+        error(position_,
+              fmt::format("resolution of the window is {}: expected a whole number, 1 or more",
+                          value));
+      else if (value * value > static_cast<double>(kMaxPixels))
+        error(position_,
+              fmt::format("resolution of the window is {}: expected {} at most", value,
+                          std::floor(std::sqrt(static_cast<double>(kMaxPixels)))),
+              "larger pictures do not fit");
+    }
+    if (place == lab::kCount) read_count(value);
+  }
+  if (!errors_.empty()) return;
+  scene_.camera.eye = {v[lab::kEye], v[lab::kEye + 1], v[lab::kEye + 2]};
+  scene_.camera.window_right = {v[lab::kSize], 0, 0};
+  scene_.camera.window_up = {0, v[lab::kSize], 0};
+  const auto resolution = static_cast<std::uint32_t>(v[lab::kResolution]);
+  scene_.resolution = {resolution, resolution};
+  scene_.lights.push_back({{v[lab::kLight], v[lab::kLight + 1], v[lab::kLight + 2]}, {1, 1, 1}});
+}
+
+/// False at the end of the file.
+bool Reader::read_sphere() {
+  ++sphere_;
+  value_ = 0;
+  double v[lab::kSphereValues];
+  bool over_one_said = false;
+  for (double& value : v) {
+    const std::size_t place = value_;
+    if (!next_value(value)) return false;
+    if (place == lab::kRadius && value <= 0)
+      error(position_, fmt::format("radius of sphere {} is {}: expected a number greater than 0",
+                                   sphere_, value));
+    // Shares and coefficients; real files break the rule, mostly with ks, so that is no error.
+    if (place >= lab::kK1 && place < lab::kN && (value < 0 || value > 1) && !over_one_said) {
+      over_one_said = true;
+      --value_;
+      warn(position_, fmt::format("{} is {}: the sheet has 0 to 1", name_of_value(), value));
+      ++value_;
+    }
+  }
+  if (v[lab::kK2] != 0 && v[lab::kNi] <= 0)
+    warn(position_,
+         fmt::format("ni (refraction factor) of sphere {} is {}: no ray is refracted by that",
+                     sphere_, v[lab::kNi]));
+  if (v[lab::kN] < 0)
+    warn(position_, fmt::format("n (shininess) of sphere {} is {}: a highlight needs 0 or more",
+                                sphere_, v[lab::kN]));
+  if (!errors_.empty()) return true;
+  const auto color = [&](std::size_t at) { return Color{v[at], v[at + 1], v[at + 2]}; };
+  scene_.spheres.push_back(
+      {{{v[lab::kCenter], v[lab::kCenter + 1], v[lab::kCenter + 2]}, v[lab::kRadius]},
+       static_cast<std::uint32_t>(scene_.materials.size())});
+  scene_.materials.push_back({.ambient = color(lab::kKa),
+                              .diffuse = color(lab::kKd),
+                              .specular = color(lab::kKs),
+                              .shininess = v[lab::kN],
+                              .reflection = v[lab::kK1],
+                              .refraction = v[lab::kK2],
+                              .refractive = v[lab::kNi]});
+  return true;
+}
+
+/// Text after the last value is ignored; but values there mean that the count came out wrong.
+void Reader::check_rest() {
+  const std::size_t strays = tokens_.strays.size();
+  std::size_t extra = 0, first = 0;
+  Token token;
+  while (tokens_.next(token) && parse_number(token.text)) {
+    if (extra++ == 0) first = token.position;
+    if (token.last) break;
+  }
+  tokens_.strays.resize(strays);
+  if (extra == 0) return;
+  const std::string message =
+      fmt::format("{} value{} left over after the last of {} sphere{}", extra,
+                  extra == 1 ? " is" : "s are", announced_, announced_ == 1 ? "" : "s");
+  if (comma_suspect_.empty())
+    warn(first, message, fmt::format("is the number of spheres right? {}", kDecimalComma));
+  else
+    error(first, message, comma_suspect_);
+}
+
+/// Whether the file can be text at all; one clear answer is better than thousands.
+bool Reader::check_is_text() {
+  if (text_.empty()) {
+    errors_.push_back(
+        {Severity::error, name_, 0, 0, "the file is empty: expected x of the eye", {}, {}});
+    return false;
+  }
+  const auto binary = std::find_if(text_.begin(), text_.end(), [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 && (c < '\t' || c > '\r');
+  });
+  if (binary == text_.end()) return true;
+  const bool utf16 = text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF");
+  errors_.push_back(
+      {Severity::error,
+       name_,
+       0,
+       0,
+       fmt::format("the file is not text: byte {} is 0x{:02x}", binary - text_.begin() + 1,
+                   static_cast<unsigned char>(*binary)),
+       utf16 ? "it looks like UTF-16: save it as UTF-8" : "expected the course's input.txt format",
+       {}});
+  return false;
+}
+
+Result<ReadScene> Reader::read() {
+  if (!check_is_text()) return tl::make_unexpected(std::move(errors_));
+  if (text_.starts_with("\xEF\xBB\xBF")) tokens_.rewind(3);  // a byte order mark
+  scene_.default_profile = ProfileName::lab;
+  read_head();
+  while (!ended_ && !(count_known_ && sphere_ == announced_)) {
+    // Where the count is no help, the spheres end where the file does.
+    if (!read_sphere()) break;
+  }
+  if (!ended_ && count_known_) check_rest();
+  if (!errors_.empty()) return tl::make_unexpected(std::move(errors_));
+  return ReadScene{std::move(scene_), std::move(warnings_)};
+}
+
+}  // namespace
+
+Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name) {
+  return Reader(text, name).read();
+}
+
+}  // namespace zraka

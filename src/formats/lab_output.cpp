@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writer of the course's input.txt.
+#include <fmt/format.h>
+
+#include <zraka/formats.hpp>
+
+namespace zraka {
+
+Result<std::string> write_lab_input(const Scene& scene) {
+  const Camera& camera = scene.camera;
+  const double size = camera.window_right.x;
+  const auto refuse = [](const char* what) {
+    return failure("", fmt::format("the course's input.txt format cannot say {}", what));
+  };
+  if (camera.window_center != Vec3{} || camera.window_right != Vec3{size, 0, 0} ||
+      camera.window_up != Vec3{0, size, 0} || scene.resolution.width != scene.resolution.height)
+    return refuse(
+        "where this scene's window is: it knows squares in the plane z = 0 around the origin");
+  if (scene.lights.size() != 1 || scene.lights[0].color != Color{1, 1, 1})
+    return refuse("these lights: it knows one white light");
+  if (scene.background != Color{} || scene.ambient_light != Color{0.5, 0.5, 0.5})
+    return refuse("another background than black or another ambient light than 0.5");
+  if (scene.shape_count() != scene.spheres.size()) return refuse("other shapes than spheres");
+
+  std::string text;
+  const auto out = std::back_inserter(text);
+  const Vec3 &eye = camera.eye, &light = scene.lights[0].position;
+  fmt::format_to(out, "<polozaj oka => {}, {}, {}:\n\n", eye.x, eye.y, eye.z);
+  fmt::format_to(out, "<velicina prozora => {}:\n<rezolucija prozora => {}:\n\n", size,
+                 scene.resolution.width);
+  fmt::format_to(out, "<pozicija svijetla => {}, {}, {}:\n<broj objekata u sceni => {}:\n", light.x,
+                 light.y, light.z, scene.spheres.size());
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+    const Sphere& s = scene.spheres[i].shape;
+    const Material& m = scene.materials.at(scene.spheres[i].material);
+    fmt::format_to(out, "\n<parametri {}. kugle>\n", i + 1);
+    fmt::format_to(out, "\t<polozaj => {}, {}, {}:\n\t<radius => {}:\n", s.center.x, s.center.y,
+                   s.center.z, s.radius);
+    fmt::format_to(out, "\t<udio reflektirane zrake => {}:\n\t<udio refraktirane zrake => {}:\n",
+                   m.reflection, m.refraction);
+    const auto color = [&](const char* label, const Color& c) {
+      fmt::format_to(out, "\t<{} => {}, {}, {}:\n", label, c.r, c.g, c.b);
+    };
+    color("ambientna komponenta ka", m.ambient);
+    color("difuzna komponenta kd", m.diffuse);
+    color("spekularna komponenta ks", m.specular);
+    fmt::format_to(out, "\t<n => {}:\n\t<faktor refrakcije ni => {}:\n", m.shininess, m.refractive);
+  }
+  return text;
+}
+
+}  // namespace zraka

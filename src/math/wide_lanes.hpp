@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lanes of floats in the registers of one instruction set, through Highway. Included by lanes.hpp.
+#pragma once
+
+#include <hwy/highway.h>
+
+namespace zraka::ZRAKA_ISA {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+namespace wide {
+using D = hn::ScalableTag<float>;
+using Di = hn::RebindToSigned<D>;
+inline constexpr D d{};
+inline constexpr Di di{};
+}  // namespace wide
+
+struct FloatLanes {
+  hn::Vec<wide::D> v;
+  ZRAKA_INLINE FloatLanes() : v(hn::Zero(wide::d)) {}
+  ZRAKA_INLINE FloatLanes(hn::Vec<wide::D> lanes) : v(lanes) {}     // NOLINT: implicit on purpose
+  ZRAKA_INLINE FloatLanes(float all) : v(hn::Set(wide::d, all)) {}  // NOLINT: implicit on purpose
+};
+struct IndexLanes {
+  hn::Vec<wide::Di> v;
+  ZRAKA_INLINE IndexLanes() : v(hn::Zero(wide::di)) {}
+  ZRAKA_INLINE IndexLanes(hn::Vec<wide::Di> lanes) : v(lanes) {}  // NOLINT: implicit on purpose
+  ZRAKA_INLINE IndexLanes(std::int32_t all)
+      : v(hn::Set(wide::di, all)) {}  // NOLINT: implicit on purpose
+};
+struct MaskLanes {
+  hn::Mask<wide::D> v;
+};
+
+ZRAKA_INLINE FloatLanes operator+(FloatLanes a, FloatLanes b) {
+  return hn::Add(a.v, b.v);
+}
+ZRAKA_INLINE FloatLanes operator-(FloatLanes a, FloatLanes b) {
+  return hn::Sub(a.v, b.v);
+}
+ZRAKA_INLINE FloatLanes operator*(FloatLanes a, FloatLanes b) {
+  return hn::Mul(a.v, b.v);
+}
+ZRAKA_INLINE FloatLanes operator/(FloatLanes a, FloatLanes b) {
+  return hn::Div(a.v, b.v);
+}
+ZRAKA_INLINE FloatLanes operator-(FloatLanes a) {
+  return hn::Neg(a.v);
+}
+ZRAKA_INLINE MaskLanes operator<(FloatLanes a, FloatLanes b) {
+  return {hn::Lt(a.v, b.v)};
+}
+ZRAKA_INLINE MaskLanes operator>(FloatLanes a, FloatLanes b) {
+  return {hn::Lt(b.v, a.v)};
+}
+ZRAKA_INLINE MaskLanes operator<=(FloatLanes a, FloatLanes b) {
+  return {hn::Le(a.v, b.v)};
+}
+ZRAKA_INLINE MaskLanes operator>=(FloatLanes a, FloatLanes b) {
+  return {hn::Le(b.v, a.v)};
+}
+ZRAKA_INLINE MaskLanes operator==(FloatLanes a, FloatLanes b) {
+  return {hn::Eq(a.v, b.v)};
+}
+ZRAKA_INLINE IndexLanes operator+(IndexLanes a, IndexLanes b) {
+  return hn::Add(a.v, b.v);
+}
+ZRAKA_INLINE MaskLanes operator==(IndexLanes a, IndexLanes b) {
+  return {hn::RebindMask(wide::d, hn::Eq(a.v, b.v))};
+}
+ZRAKA_INLINE MaskLanes operator>=(IndexLanes a, IndexLanes b) {
+  return {hn::RebindMask(wide::d, hn::Not(hn::Lt(a.v, b.v)))};
+}
+
+ZRAKA_INLINE bool any(MaskLanes m) {
+  return !hn::AllFalse(wide::d, m.v);
+}
+ZRAKA_INLINE bool all(MaskLanes m) {
+  return hn::AllTrue(wide::d, m.v);
+}
+ZRAKA_INLINE std::size_t count(MaskLanes m) {
+  return hn::CountTrue(wide::d, m.v);
+}
+ZRAKA_INLINE MaskLanes both(MaskLanes a, MaskLanes b) {
+  return {hn::And(a.v, b.v)};
+}
+ZRAKA_INLINE MaskLanes either(MaskLanes a, MaskLanes b) {
+  return {hn::Or(a.v, b.v)};
+}
+ZRAKA_INLINE MaskLanes but_not(MaskLanes a, MaskLanes b) {
+  return {hn::AndNot(b.v, a.v)};
+}
+ZRAKA_INLINE FloatLanes select(MaskLanes m, FloatLanes a, FloatLanes b) {
+  return hn::IfThenElse(m.v, a.v, b.v);
+}
+ZRAKA_INLINE IndexLanes select(MaskLanes m, IndexLanes a, IndexLanes b) {
+  return hn::IfThenElse(hn::RebindMask(wide::di, m.v), a.v, b.v);
+}
+ZRAKA_INLINE FloatLanes sqrt(FloatLanes a) {
+  return hn::Sqrt(a.v);
+}
+ZRAKA_INLINE FloatLanes min(FloatLanes a, FloatLanes b) {
+  return select(a < b, a, b);
+}
+ZRAKA_INLINE FloatLanes max(FloatLanes a, FloatLanes b) {
+  return select(a > b, a, b);
+}
+ZRAKA_INLINE FloatLanes abs(FloatLanes a) {
+  return hn::Abs(a.v);
+}
+ZRAKA_INLINE std::int32_t first_lane(IndexLanes v) {
+  return hn::GetLane(v.v);
+}
+/// Exponent and mantissa of a positive normal number: a = m·2^e with m in [√½, √2).
+ZRAKA_INLINE void split_exponent(FloatLanes a, FloatLanes& e, FloatLanes& m) {
+  const auto bits = hn::BitCast(wide::di, a.v);
+  const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(wide::di, 0x3f3504f3)));  // √½
+  e = hn::ConvertTo(wide::d, exponent);
+  m = hn::BitCast(wide::d, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
+}
+/// a·2^n for an integral n with both a and the result normal numbers.
+ZRAKA_INLINE FloatLanes scale_by_power(FloatLanes a, FloatLanes n) {
+  const auto exponent = hn::ShiftLeft<23>(hn::ConvertTo(wide::di, n.v));
+  return hn::BitCast(wide::d, hn::Add(hn::BitCast(wide::di, a.v), exponent));
+}
+ZRAKA_INLINE FloatLanes round_to_integer(FloatLanes a) {
+  return hn::Round(a.v);
+}
+
+struct WideLanes {
+  using Real = float;
+  using F = FloatLanes;
+  using I = IndexLanes;
+  using M = MaskLanes;
+  static constexpr std::size_t kWidth = HWY_LANES(float);
+
+  static ZRAKA_INLINE F load(const float* p) { return hn::LoadU(wide::d, p); }
+  static ZRAKA_INLINE I load(const std::int32_t* p) { return hn::LoadU(wide::di, p); }
+  static ZRAKA_INLINE void store(F v, float* p) { hn::StoreU(v.v, wide::d, p); }
+  static ZRAKA_INLINE void store(I v, std::int32_t* p) { hn::StoreU(v.v, wide::di, p); }
+  static ZRAKA_INLINE F gather(const float* base, I index) {
+    return hn::GatherIndex(wide::d, base, index.v);
+  }
+  static ZRAKA_INLINE I gather(const std::int32_t* base, I index) {
+    return hn::GatherIndex(wide::di, base, index.v);
+  }
+  static ZRAKA_INLINE void scatter(F v, M m, float* base, I index) {
+    alignas(64) float values[kWidth];
+    alignas(64) std::int32_t indices[kWidth];
+    hn::Store(v.v, wide::d, values);
+    hn::Store(hn::IfThenElse(hn::RebindMask(wide::di, m.v), index.v, hn::Set(wide::di, -1)),
+              wide::di, indices);
+    for (std::size_t i = 0; i < kWidth; ++i)
+      if (indices[i] >= 0) base[indices[i]] = values[i];
+  }
+  /// May write up to kWidth values, of which the first count(m) are meant.
+  static ZRAKA_INLINE void compress_store(F v, M m, float* p) {
+    hn::CompressStore(v.v, m.v, wide::d, p);
+  }
+  static ZRAKA_INLINE void compress_store(I v, M m, std::int32_t* p) {
+    hn::CompressStore(v.v, hn::RebindMask(wide::di, m.v), wide::di, p);
+  }
+  static ZRAKA_INLINE M first(std::size_t n) { return {hn::FirstN(wide::d, n)}; }
+  static ZRAKA_INLINE I iota(std::int32_t start) { return hn::Iota(wide::di, start); }
+  static ZRAKA_INLINE F to_real(I v) { return hn::ConvertTo(wide::d, v.v); }
+};
+
+}  // namespace zraka::ZRAKA_ISA

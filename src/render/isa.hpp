@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which ways to compute this build and this machine have.
+#pragma once
+
+#include <zraka/render.hpp>
+
+#include "engine/engine.hpp"
+
+namespace zraka {
+
+/// The one asked for; else the one that ZRAKA_ISA names; else the fastest. Fails if it is not
+/// there.
+Result<Isa> choose_isa(std::optional<Isa> wanted);
+
+/// The engine for an available instruction set; not for Isa::oracle.
+const Kernel<float>& kernel_of(Isa isa);
+
+}  // namespace zraka

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tiles over threads: oneTBB hands out tiles, each thread has its own memory for the engine.
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+#include <mutex>
+#include <zraka/render.hpp>
+
+#include "render/isa.hpp"
+#include "render/workspace.hpp"
+#include "scene/freeze.hpp"
+
+namespace zraka {
+namespace {
+
+/// Small enough for the arrays of a tile's trees to stay in the second-level cache.
+constexpr int kDefaultTile = 32;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void add(RayCounts& sum, const RayCounts& more) {
+  sum.camera += more.camera;
+  sum.shadow += more.shadow;
+  sum.reflected += more.reflected;
+  sum.refracted += more.refracted;
+  sum.hits += more.hits;
+}
+
+template <class R>
+struct Worker {
+  WorkspaceMemory<R> memory;
+  RayCounts counts;
+};
+
+/// Renders all tiles of a frozen scene. False if it was cancelled.
+template <class R>
+bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
+                  const TraceSettings& settings, const RenderOptions& options, int tile,
+                  int threads, Rendering& rendering) {
+  Image& image = rendering.image;
+  const auto width = static_cast<std::int32_t>(image.width);
+  const auto height = static_cast<std::int32_t>(image.height);
+  const std::int32_t columns = (width + tile - 1) / tile;
+  const std::int32_t rows = (height + tile - 1) / tile;
+
+  tbb::enumerable_thread_specific<Worker<R>> workers([&] {
+    return Worker<R>{WorkspaceMemory<R>(tile * tile, settings.max_depth), {}};
+  });
+  std::atomic<std::uint64_t> pixels_done{0}, rays_done{0};
+  std::atomic<bool> cancelled{false};
+
+  const auto render_tile = [&](std::int32_t index) {
+    if (cancelled.load(std::memory_order_relaxed)) return;
+    if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed)) {
+      cancelled = true;
+      return;
+    }
+    const std::int32_t x = index % columns * tile, y = index / columns * tile;
+    const TileRect rect{x, y, std::min(tile, width - x), std::min(tile, height - y)};
+    Worker<R>& worker = workers.local();
+    RayCounts counts;
+    kernel.trace_tile(scene, settings, rect, worker.memory.workspace(), counts, image.pixels.data(),
+                      image.width);
+    add(worker.counts, counts);
+    if (options.progress) {
+      const std::uint64_t area =
+          static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
+      const std::uint64_t pixels = pixels_done.fetch_add(area) + area;
+      const std::uint64_t rays = rays_done.fetch_add(counts.total()) + counts.total();
+      options.progress(pixels, std::uint64_t{image.width} * image.height, rays);
+    }
+  };
+
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                            static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::int32_t>(0, columns * rows),
+        [&](const tbb::blocked_range<std::int32_t>& range) {
+          for (std::int32_t i = range.begin(); i < range.end(); ++i) render_tile(i);
+        },
+        tbb::simple_partitioner());
+  });
+  for (const Worker<R>& worker : workers) add(rendering.stats.rays, worker.counts);
+  return !cancelled;
+}
+
+template <class R>
+bool freeze_and_render(const Scene& scene, const Kernel<R>& kernel, const RenderOptions& options,
+                       int tile, int threads, Rendering& rendering) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto store = freeze<R>(scene, options.profile);
+  rendering.stats.build_seconds = seconds_since(start);
+  rendering.stats.scene_bytes = store->bytes;
+
+  const auto traced = std::chrono::steady_clock::now();
+  const TraceSettings settings{options.terms, options.max_depth, options.profile.clamp_levels,
+                               options.profile.mirror_when_total};
+  const bool complete =
+      render_tiles(store->scene, kernel, settings, options, tile, threads, rendering);
+  rendering.stats.render_seconds = seconds_since(traced);
+  return complete;
+}
+
+Diagnostics check_options(const RenderOptions& options) {
+  Diagnostics found;
+  const auto in_range = [&](const char* what, int value, int low, int high) {
+    if (value < low || value > high)
+      found.push_back(
+          {.message = fmt::format("{} {} is out of range: {} to {}", what, value, low, high)});
+  };
+  in_range("depth", options.max_depth, 0, kMaxDepth);
+  in_range("number of threads", options.threads, 0, kMaxThreads);
+  in_range("tile side", options.tile, 0, kMaxTile);
+  return found;
+}
+
+}  // namespace
+
+Result<Rendering> render(const Scene& scene, const RenderOptions& options) {
+  Diagnostics problems = check_options(options);
+  for (Diagnostic& problem : check(scene)) problems.push_back(std::move(problem));
+  if (!problems.empty()) return tl::make_unexpected(std::move(problems));
+  const Result<Isa> isa = choose_isa(options.isa);
+  if (!isa) return tl::make_unexpected(isa.error());
+
+  const int tile = options.tile == 0 ? kDefaultTile : options.tile;
+  const int threads = options.threads == 0 ? tbb::info::default_concurrency() : options.threads;
+  Rendering rendering;
+  try {
+    rendering.image = Image(scene.resolution.width, scene.resolution.height);
+    rendering.stats.isa = *isa;
+    rendering.stats.threads = threads;
+    const bool complete =
+        *isa == Isa::oracle
+            ? freeze_and_render(scene, isa_oracle::kKernel, options, tile, threads, rendering)
+            : freeze_and_render(scene, kernel_of(*isa), options, tile, threads, rendering);
+    if (!complete) return failure("", "the render was cancelled");
+  } catch (const std::bad_alloc&) {
+    return failure(
+        "", fmt::format("not enough memory for a picture of {}×{} pixels and {} shapes",
+                        scene.resolution.width, scene.resolution.height, scene.shape_count()));
+  }
+  return rendering;
+}
+
+}  // namespace zraka

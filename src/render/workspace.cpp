@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/workspace.hpp"
+
+#include <new>
+
+namespace zraka {
+namespace {
+
+constexpr std::size_t kCacheLine = 64;
+
+/// Hands out arrays one after the other; with a null base it only counts.
+class Layout {
+ public:
+  explicit Layout(std::byte* base) : base_(base) {}
+  std::size_t used() const { return used_; }
+
+  template <class T, class... More>
+  void place(std::size_t count, T*& array, More*&... more) {
+    array = base_ == nullptr ? nullptr : reinterpret_cast<T*>(base_ + used_);
+    const std::size_t bytes = (count + kArrayPadding) * sizeof(T);
+    used_ += (bytes + kCacheLine - 1) / kCacheLine * kCacheLine;
+    if constexpr (sizeof...(more) > 0) place(count, more...);
+  }
+
+ private:
+  std::byte* base_;
+  std::size_t used_ = 0;
+};
+
+template <class R>
+void place_all(Layout& layout, Level<R>* levels, int level_count, Scratch<R>& s,
+               std::size_t batch) {
+  layout.place(batch, s.t, s.px, s.py, s.pz, s.nx, s.ny, s.nz, s.vx, s.vy, s.vz, s.offset, s.inside,
+               s.lit);
+  layout.place(batch, s.fox, s.foy, s.foz, s.fdx, s.fdy, s.fdz, s.fdistance);
+  layout.place(batch, s.id, s.material, s.feeler_hit);
+  for (int i = 0; i < level_count; ++i) {
+    RayArrays<R>& rays = levels[i].rays;
+    layout.place(2 * batch, rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, rays.r, rays.g,
+                 rays.b);
+    HitArrays<R>& hits = levels[i].hits;
+    layout.place(batch, hits.r, hits.g, hits.b, hits.reflection, hits.refraction);
+    layout.place(batch, hits.ray, hits.reflected, hits.refracted);
+  }
+}
+
+}  // namespace
+
+template <class R>
+void WorkspaceMemory<R>::Free::operator()(std::byte* p) const {
+  ::operator delete[](p, std::align_val_t{kCacheLine});
+}
+
+template <class R>
+WorkspaceMemory<R>::WorkspaceMemory(std::int32_t batch, int max_depth)
+    : levels_(std::make_unique<Level<R>[]>(static_cast<std::size_t>(max_depth) + 1)) {
+  const auto size = static_cast<std::size_t>(batch);
+  Layout sizes(nullptr);
+  place_all(sizes, levels_.get(), max_depth + 1, workspace_.scratch, size);
+  memory_.reset(
+      static_cast<std::byte*>(::operator new[](sizes.used(), std::align_val_t{kCacheLine})));
+  Layout layout(memory_.get());
+  place_all(layout, levels_.get(), max_depth + 1, workspace_.scratch, size);
+  workspace_.levels = levels_.get();
+  workspace_.batch = batch;
+}
+
+template class WorkspaceMemory<float>;
+template class WorkspaceMemory<double>;
+
+}  // namespace zraka

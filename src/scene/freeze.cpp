@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the scene as read to the scene as traced: into the engine's frame in double, then narrowed.
+#include "scene/freeze.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace zraka {
+namespace {
+
+/// The nearest value of R, the largest one for what is out of its range.
+template <class R>
+R narrow(double v) {
+  constexpr double kLargest = std::numeric_limits<R>::max();
+  return static_cast<R>(std::fmin(std::fmax(v, -kLargest), kLargest));
+}
+
+template <class R>
+V3<R> narrow(const Vec3& v) {
+  return {narrow<R>(v.x), narrow<R>(v.y), narrow<R>(v.z)};
+}
+
+template <class R>
+V3<R> narrow(const Color& c) {
+  return {narrow<R>(c.r), narrow<R>(c.g), narrow<R>(c.b)};
+}
+
+Box bounds_of(const Scene& scene) {
+  Box bounds;
+#define ZRAKA_INCLUDE(Type, plural) \
+  for (const auto& object : scene.plural) bounds.include(ShapeTraits<Type>::bounds(object.shape));
+  ZRAKA_SHAPES(ZRAKA_INCLUDE)
+#undef ZRAKA_INCLUDE
+  return bounds;
+}
+
+template <class R>
+FrozenCamera<R> freeze_camera(const Scene& scene, const Profile& profile, const Frame& frame) {
+  const Camera& camera = scene.camera;
+  const double width = scene.resolution.width;
+  const double height = scene.resolution.height;
+  const auto column =
+      V3<double>{camera.window_right.x, camera.window_right.y, camera.window_right.z} *
+      (frame.scale / width);
+  const auto row = V3<double>{camera.window_up.x, camera.window_up.y, camera.window_up.z} *
+                   (-frame.scale / height);
+  // The sheet's pixel is its upper left corner, i = column - resolution/2; others look through
+  // centres.
+  const double in_pixel = profile.pixel_centers ? 0.5 : 0.0;
+  const V3<double> center = {(camera.window_center.x - camera.eye.x) * frame.scale,
+                             (camera.window_center.y - camera.eye.y) * frame.scale,
+                             (camera.window_center.z - camera.eye.z) * frame.scale};
+  const auto first = center + column * (in_pixel - width / 2) + row * (in_pixel - height / 2);
+  const auto to_real = [](const V3<double>& v) {
+    return V3<R>{narrow<R>(v.x), narrow<R>(v.y), narrow<R>(v.z)};
+  };
+  return {narrow<R>(frame.point(camera.eye)), to_real(first), to_real(column), to_real(row)};
+}
+
+template <class R>
+void freeze_material(const Material& m, const Profile& profile, R* row) {
+  const auto put = [&](int column, const Color& c) {
+    row[column] = narrow<R>(c.r);
+    row[column + 1] = narrow<R>(c.g);
+    row[column + 2] = narrow<R>(c.b);
+  };
+  put(kAmbient, m.ambient);
+  put(kDiffuse, m.diffuse);
+  put(kSpecular, m.specular);
+  row[kShininess] = narrow<R>(m.shininess);
+  row[kReflection] = narrow<R>(m.reflection);
+  row[kRefraction] = narrow<R>(m.refraction);
+  const double into = profile.index_is_ratio ? m.refractive : 1 / m.refractive;
+  row[kRatioIn] = narrow<R>(into);
+  row[kRatioOut] = narrow<R>(1 / into);
+}
+
+}  // namespace
+
+template <class R>
+std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profile) {
+  auto store = std::make_unique<FrozenStore<R>>();
+  FrozenScene<R>& frozen = store->scene;
+  const Frame frame = Frame::around(bounds_of(scene));
+  frozen.camera = freeze_camera<R>(scene, profile, frame);
+  frozen.background = narrow<R>(scene.background);
+  frozen.ambient_light = narrow<R>(scene.ambient_light);
+
+  for (const PointLight& light : scene.lights)
+    store->lights.push_back({narrow<R>(frame.point(light.position)), narrow<R>(light.color)});
+  frozen.lights = store->lights.data();
+  frozen.light_count = static_cast<std::int32_t>(store->lights.size());
+
+  // One array for all the numbers: materials first, then column by column of each kind of shape.
+  std::size_t reals = scene.materials.size() * kMaterialReals;
+#define ZRAKA_COUNT(Type, plural) reals += scene.plural.size() * ShapeTraits<Type>::kReals;
+  ZRAKA_SHAPES(ZRAKA_COUNT)
+#undef ZRAKA_COUNT
+  store->reals.resize(reals);
+  store->indices.resize(scene.shape_count());
+  R* real = store->reals.data();
+  std::int32_t* index = store->indices.data();
+
+  frozen.materials = real;
+  for (const Material& material : scene.materials) {
+    freeze_material(material, profile, real);
+    real += kMaterialReals;
+  }
+
+  std::int32_t id = 0;
+  const auto freeze_shapes = [&]<class Shape>(const std::vector<Object<Shape>>& objects,
+                                              FrozenShapes<R, Shape>& out) {
+    using Traits = ShapeTraits<Shape>;
+    R* column[Traits::kReals];
+    for (int k = 0; k < Traits::kReals; ++k) {
+      out.column[k] = column[k] = real;
+      real += objects.size();
+    }
+    out.material = index;
+    out.count = static_cast<std::int32_t>(objects.size());
+    out.first_id = id;
+    id += out.count;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      double numbers[Traits::kReals];
+      Traits::freeze(objects[i].shape, frame, numbers);
+      for (int k = 0; k < Traits::kReals; ++k) column[k][i] = narrow<R>(numbers[k]);
+      *index++ = static_cast<std::int32_t>(objects[i].material);
+    }
+  };
+#define ZRAKA_FREEZE(Type, plural) freeze_shapes(scene.plural, frozen.plural);
+  ZRAKA_SHAPES(ZRAKA_FREEZE)
+#undef ZRAKA_FREEZE
+
+  store->bytes = store->reals.size() * sizeof(R) + store->indices.size() * sizeof(std::int32_t) +
+                 store->lights.size() * sizeof(FrozenLight<R>);
+  return store;
+}
+
+template std::unique_ptr<FrozenStore<float>> freeze<float>(const Scene&, const Profile&);
+template std::unique_ptr<FrozenStore<double>> freeze<double>(const Scene&, const Profile&);
+
+}  // namespace zraka

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene as the engine reads it: plain numbers in the engine's frame (math/frame.hpp), nothing
+// that owns memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "math/vec.hpp"
+#include "shapes/shapes.hpp"
+
+namespace zraka {
+
+/// A material as rows of kMaterialReals numbers; the names of the columns follow.
+enum MaterialColumn {
+  kAmbient = 0,    // ka, three numbers
+  kDiffuse = 3,    // kd
+  kSpecular = 6,   // ks
+  kShininess = 9,  // n
+  kReflection,     // k1
+  kRefraction,     // k2
+  kRatioIn,        // n1/n2 where a ray enters
+  kRatioOut,       // n1/n2 where a ray leaves
+  kMaterialReals = 16
+};
+
+template <class R>
+struct FrozenLight {
+  V3<R> position;
+  V3<R> color;
+};
+
+/// Pixel (column, row) looks along first + right·column + down·row, not normalised.
+template <class R>
+struct FrozenCamera {
+  V3<R> eye;
+  V3<R> first, right, down;
+};
+
+/// The shapes of one kind: each of its numbers in an array of its own.
+template <class R, class Shape>
+struct FrozenShapes {
+  const R* column[ShapeTraits<Shape>::kReals];
+  const std::int32_t* material;
+  std::int32_t count;
+  std::int32_t first_id;  ///< id of its first primitive; ids number the primitives of all kinds
+};
+
+template <class R>
+struct FrozenScene {
+  FrozenCamera<R> camera;
+  V3<R> background;
+  V3<R> ambient_light;
+  const FrozenLight<R>* lights;
+  std::int32_t light_count;
+  const R* materials;  ///< rows of kMaterialReals
+#define ZRAKA_STORE(Type, plural) FrozenShapes<R, Type> plural;
+  ZRAKA_SHAPES(ZRAKA_STORE)
+#undef ZRAKA_STORE
+};
+
+}  // namespace zraka

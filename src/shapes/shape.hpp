@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every shape's file provides. To add a shape: its struct and its line in
+// include/zraka/shapes.hpp, a file like sphere.hpp here, and its include in shapes.hpp beside this
+// one.
+#pragma once
+
+#include "math/box.hpp"
+#include "math/frame.hpp"
+#include "math/vec.hpp"
+
+namespace zraka {
+
+/// Specialised by each shape with
+///   kName                          for messages
+///   kReals                         how many numbers the engine needs
+///   bounds(shape)                  a box around it, in world space
+///   check(shape)                   what is wrong with its parameters, or nullptr
+///   freeze(shape, frame, out)      the engine's numbers, in the engine's frame
+template <class Shape>
+struct ShapeTraits;
+
+#ifdef ZRAKA_ISA
+namespace ZRAKA_ISA {
+
+/// Specialised by each shape, over lanes L, with
+///   intersect(s, origin, direction)   distance along a unit direction to the nearest intersection
+///   in front of
+///                                     the origin; 0 or less, or NaN, where there is none
+///   surface(s, point)                 the point moved onto the surface, its outward unit normal,
+///   error bound
+/// where s are the shape's kReals numbers: one shape for all lanes, or a shape for each.
+template <class Shape, class L>
+struct ShapeLanes;
+
+/// A point of a surface in the engine's frame.
+template <class F>
+struct SurfacePoint {
+  V3<F> point;
+  V3<F> normal;  ///< unit length, outward
+  F offset;      ///< a ray that starts this far along the normal surely starts outside
+};
+
+}  // namespace ZRAKA_ISA
+#endif
+
+}  // namespace zraka

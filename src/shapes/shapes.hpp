@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+// All shapes' files. The list itself is ZRAKA_SHAPES in include/zraka/shapes.hpp.
+#pragma once
+
+#include "shapes/sphere.hpp"
