@@ -43,8 +43,8 @@ void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scr
 /// The surface of those lanes whose primitive is of this kind; others stay as they are.
 template <class L, class Shape>
 ZRAKA_INLINE void surface_of(const FrozenShapes<typename L::Real, Shape>& shapes, typename L::I id,
-                             const V3<typename L::F>& point, SurfacePoint<typename L::F>& surface,
-                             typename L::I& material) {
+                             const V3<typename L::F>& origin, const V3<typename L::F>& point,
+                             SurfacePoint<L>& surface, typename L::I& material) {
   using F = typename L::F;
   using I = typename L::I;
   const auto mine = but_not(id >= I(shapes.first_id), id >= I(shapes.first_id + shapes.count));
@@ -53,13 +53,14 @@ ZRAKA_INLINE void surface_of(const FrozenShapes<typename L::Real, Shape>& shapes
   F shape[ShapeTraits<Shape>::kReals];
   for (int k = 0; k < ShapeTraits<Shape>::kReals; ++k)
     shape[k] = L::gather(shapes.column[k], index);
-  const SurfacePoint<F> found = ShapeLanes<Shape, L>::surface(shape, point);
+  const SurfacePoint<L> found = ShapeLanes<Shape, L>::surface(shape, origin, point);
   const auto pick = [&](const V3<F>& a, const V3<F>& b) {
     return V3<F>{select(mine, a.x, b.x), select(mine, a.y, b.y), select(mine, a.z, b.z)};
   };
   surface.point = pick(found.point, surface.point);
   surface.normal = pick(found.normal, surface.normal);
   surface.offset = select(mine, found.offset, surface.offset);
+  surface.inside = either(both(mine, found.inside), but_not(surface.inside, mine));
   material = select(mine, L::gather(shapes.material, index), material);
 }
 
@@ -78,15 +79,15 @@ void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R
     const V3<F> direction{L::gather(dx, ray), L::gather(dy, ray), L::gather(dz, ray)};
     const V3<F> point = origin + direction * L::gather(scratch.t, ray);
 
-    SurfacePoint<F> surface{point, -direction, F(0)};
+    SurfacePoint<L> surface{point, -direction, F(0), L::first(0)};
     I material(0);
     const I id = L::gather(scratch.id, ray);
-#define ZRAKA_SURFACE(Type, plural) surface_of<L>(scene.plural, id, point, surface, material);
+#define ZRAKA_SURFACE(Type, plural) surface_of<L>(scene.plural, id, origin, point, surface, material);
     ZRAKA_SHAPES(ZRAKA_SURFACE)
 #undef ZRAKA_SURFACE
 
     // The normal is turned to the side that the ray comes from (sheet 3.7).
-    const auto inside = dot(surface.normal, direction) > F(0);
+    const auto inside = surface.inside;
     const V3<F> n_out = surface.normal;
     const V3<F> n_view{select(inside, -n_out.x, n_out.x), select(inside, -n_out.y, n_out.y),
                        select(inside, -n_out.z, n_out.z)};

@@ -32,12 +32,15 @@ namespace ZRAKA_ISA {
 template <class Shape, class L>
 struct ShapeLanes;
 
-/// A point of a surface in the engine's frame.
-template <class F>
+/// A point of a surface in the engine's frame, moved onto the surface as well as its numbers can say.
+template <class L>
 struct SurfacePoint {
+  using F = typename L::F;
+  using M = typename L::M;
   V3<F> point;
   V3<F> normal;  ///< unit length, outward
   F offset;      ///< a ray that starts this far along the normal surely starts outside
+  M inside;      ///< the ray came from the side that the normal points away from
 };
 
 }  // namespace ZRAKA_ISA

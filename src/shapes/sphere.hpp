@@ -62,15 +62,16 @@ struct ShapeLanes<Sphere, L> {
     return select(discriminant >= F(0.0f), select(take_q, q, c / q), F(-1.0f));
   }
 
-  static ZRAKA_INLINE SurfacePoint<F> surface(const F (&s)[4], const V3<F>& point) {
+  static ZRAKA_INLINE SurfacePoint<L> surface(const F (&s)[4], const V3<F>& origin, const V3<F>& point) {
     const V3<F> center{s[0], s[1], s[2]};
     const V3<F> from_center = point - center;
     const V3<F> normal = from_center * (F(1.0f) / sqrt(dot(from_center, from_center)));
-    // The point is rounded at the magnitude of its coordinates, the normal and the next ray's
-    // quadratic at that of the radius; 8 units in the last place of their sum is over twice what
-    // these add up to.
+    // The point is rounded at the magnitude of its coordinates, the normal and the next ray's quadratic at that
+    // of the radius; 16 half units in the last place of their sum is over twice what these add up to.
     const F magnitude = max(abs(s[0]), max(abs(s[1]), abs(s[2]))) + s[3];
-    return {center + normal * s[3], normal, magnitude * F(kOffset)};
+    // Where the ray began tells the sides apart also where it only grazes, unlike the sign of N·V.
+    const V3<F> began = origin - center;
+    return {center + normal * s[3], normal, magnitude * F(kOffset), dot(began, began) < s[3] * s[3]};
   }
 
  private:
