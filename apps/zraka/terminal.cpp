@@ -39,8 +39,9 @@ void catch_interrupts() {
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction old {};
-    // Who started us with a signal ignored (nohup) wants it ignored.
-    if (::sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue;
+    // Who started us by nohup wants us to outlive the terminal.
+    if (signal == SIGHUP && ::sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_IGN)
+      continue;
     ::sigaction(signal, &action, nullptr);
   }
 }

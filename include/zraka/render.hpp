@@ -55,17 +55,17 @@ std::optional<Isa> isa_named(std::string_view name);
 std::vector<Isa> available_isas();
 
 struct RenderOptions {
-  Terms terms;
+  Terms terms{};
   Profile profile = profile_of(ProfileName::physical);
-  int max_depth = 4;       ///< levels of rays after the first: 0…kMaxDepth
-  int threads = 0;         ///< 0: as many as the machine has
-  int tile = 0;            ///< side of a tile in pixels, 1…kMaxTile; 0: chosen
-  std::optional<Isa> isa;  ///< none: ZRAKA_ISA from the environment, else the fastest
+  int max_depth = 4;         ///< levels of rays after the first: 0…kMaxDepth
+  int threads = 0;           ///< 0: as many as the machine has
+  int tile = 0;              ///< side of a tile in pixels, 1…kMaxTile; 0: chosen
+  std::optional<Isa> isa{};  ///< none: ZRAKA_ISA from the environment, else the fastest
   /// Set from any thread, it ends the render early; the result is then a failure.
   const std::atomic<bool>* cancel = nullptr;
   /// Called from worker threads after each tile: (pixels done, pixels, rays so far). It must not
   /// throw.
-  std::function<void(std::uint64_t, std::uint64_t, std::uint64_t)> progress;
+  std::function<void(std::uint64_t, std::uint64_t, std::uint64_t)> progress{};
 };
 
 /// Rays of each kind and how many of them (feelers aside) met a shape.

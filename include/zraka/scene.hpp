@@ -15,7 +15,7 @@ namespace zraka {
 struct Material {
   Color ambient{0.1, 0.1, 0.1};  ///< ka
   Color diffuse{0.7, 0.7, 0.7};  ///< kd
-  Color specular;                ///< ks
+  Color specular{};              ///< ks
   double shininess = 10;         ///< n, the exponent of the highlight
   double reflection = 0;         ///< k1, share of the reflected ray
   double refraction = 0;         ///< k2, share of the refracted ray

@@ -43,8 +43,9 @@ void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scr
 /// The surface of those lanes whose primitive is of this kind; others stay as they are.
 template <class L, class Shape>
 ZRAKA_INLINE void surface_of(const FrozenShapes<typename L::Real, Shape>& shapes, typename L::I id,
-                             const V3<typename L::F>& origin, const V3<typename L::F>& point,
-                             SurfacePoint<L>& surface, typename L::I& material) {
+                             const V3<typename L::F>& origin, const V3<typename L::F>& direction,
+                             const V3<typename L::F>& point, SurfacePoint<L>& surface,
+                             typename L::I& material) {
   using F = typename L::F;
   using I = typename L::I;
   const auto mine = but_not(id >= I(shapes.first_id), id >= I(shapes.first_id + shapes.count));
@@ -53,7 +54,7 @@ ZRAKA_INLINE void surface_of(const FrozenShapes<typename L::Real, Shape>& shapes
   F shape[ShapeTraits<Shape>::kReals];
   for (int k = 0; k < ShapeTraits<Shape>::kReals; ++k)
     shape[k] = L::gather(shapes.column[k], index);
-  const SurfacePoint<L> found = ShapeLanes<Shape, L>::surface(shape, origin, point);
+  const SurfacePoint<L> found = ShapeLanes<Shape, L>::surface(shape, origin, direction, point);
   const auto pick = [&](const V3<F>& a, const V3<F>& b) {
     return V3<F>{select(mine, a.x, b.x), select(mine, a.y, b.y), select(mine, a.z, b.z)};
   };
@@ -82,7 +83,8 @@ void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R
     SurfacePoint<L> surface{point, -direction, F(0), L::first(0)};
     I material(0);
     const I id = L::gather(scratch.id, ray);
-#define ZRAKA_SURFACE(Type, plural) surface_of<L>(scene.plural, id, origin, point, surface, material);
+#define ZRAKA_SURFACE(Type, plural) \
+  surface_of<L>(scene.plural, id, origin, direction, point, surface, material);
     ZRAKA_SHAPES(ZRAKA_SURFACE)
 #undef ZRAKA_SURFACE
 

@@ -29,8 +29,9 @@ class Pieces {
  public:
   explicit Pieces(const Coverage& ink) : ink_(ink), distance_(distance_inside(ink)) {}
 
-  /// All places inside each piece, or those in the middle of its strokes only: where the slope of the distance to
-  /// the edge is small, for it is 1 anywhere else and 0.7 on the way into a right-angled corner.
+  /// All places inside each piece, or those in the middle of its strokes only: where the slope of
+  /// the distance to the edge is small, for it is 1 anywhere else and 0.7 on the way into a
+  /// right-angled corner.
   std::vector<std::vector<Spot>> spots(Packing packing) const;
 
  private:
@@ -39,7 +40,8 @@ class Pieces {
     return distance_[index(x, y)];
   }
   std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(ink_.width) + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(ink_.width) +
+           static_cast<std::size_t>(x);
   }
   const Coverage& ink_;
   std::vector<float> distance_;
@@ -62,7 +64,8 @@ std::vector<std::vector<Spot>> Pieces::spots(Packing packing) const {
       while (!open.empty()) {
         const auto [x, y] = open.back();
         open.pop_back();
-        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) visit(x + dx, y + dy);
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+          visit(x + dx, y + dy);
         const float sx = (at(x + 1, y) - at(x - 1, y)) / 2, sy = (at(x, y + 1) - at(x, y - 1)) / 2;
         if (packing == Packing::strokes && sx * sx + sy * sy > 0.4f) continue;
         spots.push_back({static_cast<float>(x), static_cast<float>(y), at(x, y)});
@@ -72,8 +75,8 @@ std::vector<std::vector<Spot>> Pieces::spots(Packing packing) const {
   return pieces;
 }
 
-/// Puts discs of at most `largest` one after the other where they touch those already there (strokes), or where
-/// the largest one fits (fill), until none of at least `smallest` fits.
+/// Puts discs of at most `largest` one after the other where they touch those already there
+/// (strokes), or where the largest one fits (fill), until none of at least `smallest` fits.
 std::vector<Disc> pack(std::vector<Spot> spots, Packing packing, float largest, float smallest) {
   const bool chain = packing == Packing::strokes;
   // A chain starts at the spot farthest from the middle: the end of a stroke.
@@ -113,8 +116,8 @@ float uncovered(const std::vector<Spot>& spots, const std::vector<Disc>& discs) 
   return static_cast<float>(bare) / static_cast<float>(spots.size());
 }
 
-/// A chain along the strokes of a piece: of the radii between `low` and `high` parts of the usual room the one
-/// whose chain leaves least uncovered.
+/// A chain along the strokes of a piece: of the radii between `low` and `high` parts of the usual
+/// room the one whose chain leaves least uncovered.
 std::vector<Disc> pack_chain(const std::vector<Spot>& spots, float low, float high) {
   std::vector<float> rooms;
   for (const Spot& spot : spots) rooms.push_back(spot.room);
@@ -133,14 +136,16 @@ std::vector<Disc> pack_chain(const std::vector<Spot>& spots, float low, float hi
 }
 
 /// All pieces with discs whose radius is `size` of what is usual: 1 is as wide as the strokes.
-std::vector<Disc> pack_all(const std::vector<std::vector<Spot>>& pieces, Packing packing, float size) {
+std::vector<Disc> pack_all(const std::vector<std::vector<Spot>>& pieces, Packing packing,
+                           float size) {
   std::vector<Disc> all;
   for (const std::vector<Spot>& spots : pieces) {
     float widest = 0;
     for (const Spot& spot : spots) widest = std::max(widest, spot.room);
     const std::vector<Disc> discs =
-        packing == Packing::strokes ? pack_chain(spots, 0.8f * size, 1.1f * size)
-                                    : pack(spots, packing, 0.6f * size * widest, 0.18f * size * widest);
+        packing == Packing::strokes
+            ? pack_chain(spots, 0.8f * size, 1.1f * size)
+            : pack(spots, packing, 0.6f * size * widest, 0.18f * size * widest);
     all.insert(all.end(), discs.begin(), discs.end());
   }
   return all;

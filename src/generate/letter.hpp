@@ -15,7 +15,7 @@ struct LetterOptions {
   Packing packing = Packing::strokes;
   int spheres = 0;  ///< about how many a letter; 0: as many as the strokes take
   std::uint32_t resolution = 400;
-  std::string font;        ///< a font file; "" asks the system
+  std::string font{};      ///< a font file; "" asks the system
   std::uint32_t seed = 1;  ///< of the materials
 };
 

@@ -24,17 +24,16 @@ struct Frame {
   }
   double length(double world) const { return world * scale; }
 
-  /// The frame in which `bounds` is centred and its largest half extent lies in (½, 1].
-  static Frame around(const Box& bounds) {
+  /// The frame around a point in which the farthest side of `bounds` is at a distance in (½, 1].
+  static Frame around(const Vec3& center, const Box& bounds) {
     if (bounds.empty()) return {};
-    const auto middle = [](double a, double b) { return a / 2 + b / 2; };
-    Frame frame{{middle(bounds.lower.x, bounds.upper.x), middle(bounds.lower.y, bounds.upper.y),
-                 middle(bounds.lower.z, bounds.upper.z)}};
-    const double half = std::max({bounds.upper.x - frame.center.x, bounds.upper.y - frame.center.y,
-                                  bounds.upper.z - frame.center.z});
-    if (half > 0 && std::isfinite(half)) {
+    Frame frame{center};
+    const double reach =
+        std::max({bounds.upper.x - center.x, bounds.upper.y - center.y, bounds.upper.z - center.z,
+                  center.x - bounds.lower.x, center.y - bounds.lower.y, center.z - bounds.lower.z});
+    if (reach > 0 && std::isfinite(reach)) {
       int exponent = 0;
-      const double mantissa = std::frexp(half, &exponent);  // [½, 1)
+      const double mantissa = std::frexp(reach, &exponent);  // [½, 1)
       frame.scale = std::ldexp(1.0, mantissa == 0.5 ? 1 - exponent : -exponent);
     }
     return frame;

@@ -2,6 +2,7 @@
 // From the scene as read to the scene as traced: into the engine's frame in double, then narrowed.
 #include "scene/freeze.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,13 +26,32 @@ V3<R> narrow(const Color& c) {
   return {narrow<R>(c.r), narrow<R>(c.g), narrow<R>(c.b)};
 }
 
-Box bounds_of(const Scene& scene) {
+/// The engine's frame for a scene: centred on the median of its shapes, where most of the detail
+/// is. A middle of the bounds would let one huge sphere, a ground, take the other shapes' digits.
+Frame frame_of(const Scene& scene) {
+  constexpr std::uint64_t kSamples = 65536;
+  const std::uint64_t step = scene.shape_count() / kSamples + 1;
   Box bounds;
-#define ZRAKA_INCLUDE(Type, plural) \
-  for (const auto& object : scene.plural) bounds.include(ShapeTraits<Type>::bounds(object.shape));
-  ZRAKA_SHAPES(ZRAKA_INCLUDE)
-#undef ZRAKA_INCLUDE
-  return bounds;
+  std::vector<double> x, y, z;
+  std::uint64_t index = 0;
+  const auto look_at = [&](const Box& box) {
+    bounds.include(box);
+    if (index++ % step != 0) return;
+    x.push_back(box.lower.x / 2 + box.upper.x / 2);
+    y.push_back(box.lower.y / 2 + box.upper.y / 2);
+    z.push_back(box.lower.z / 2 + box.upper.z / 2);
+  };
+#define ZRAKA_LOOK(Type, plural) \
+  for (const auto& object : scene.plural) look_at(ShapeTraits<Type>::bounds(object.shape));
+  ZRAKA_SHAPES(ZRAKA_LOOK)
+#undef ZRAKA_LOOK
+  if (x.empty()) return {};
+  const auto median = [](std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  return Frame::around({median(x), median(y), median(z)}, bounds);
 }
 
 template <class R>
@@ -81,7 +101,7 @@ template <class R>
 std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profile) {
   auto store = std::make_unique<FrozenStore<R>>();
   FrozenScene<R>& frozen = store->scene;
-  const Frame frame = Frame::around(bounds_of(scene));
+  const Frame frame = frame_of(scene);
   frozen.camera = freeze_camera<R>(scene, profile, frame);
   frozen.background = narrow<R>(scene.background);
   frozen.ambient_light = narrow<R>(scene.ambient_light);

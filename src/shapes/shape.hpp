@@ -23,16 +23,17 @@ struct ShapeTraits;
 namespace ZRAKA_ISA {
 
 /// Specialised by each shape, over lanes L, with
-///   intersect(s, origin, direction)   distance along a unit direction to the nearest intersection
-///   in front of
-///                                     the origin; 0 or less, or NaN, where there is none
+///   intersect(s, origin, direction)        distance along a unit direction to the nearest
+///   intersection in front of
+///                                          the origin; 0 or less, or NaN, where there is none
 ///   surface(s, point)                 the point moved onto the surface, its outward unit normal,
 ///   error bound
 /// where s are the shape's kReals numbers: one shape for all lanes, or a shape for each.
 template <class Shape, class L>
 struct ShapeLanes;
 
-/// A point of a surface in the engine's frame, moved onto the surface as well as its numbers can say.
+/// A point of a surface in the engine's frame, moved onto the surface as well as its numbers can
+/// say.
 template <class L>
 struct SurfacePoint {
   using F = typename L::F;

@@ -2,6 +2,7 @@
 // The sphere.
 #pragma once
 
+#include <cmath>
 #include <zraka/shapes.hpp>
 
 #include "shapes/shape.hpp"
@@ -14,7 +15,9 @@ namespace zraka {
 template <>
 struct ShapeTraits<Sphere> {
   static constexpr const char* kName = "sphere";
-  static constexpr int kReals = 4;  // centre x, y, z; radius
+  /// Centre, radius, and an anchor: the point of the surface that is nearest to the engine's
+  /// origin.
+  static constexpr int kReals = 7;
 
   static Box bounds(const Sphere& s) {
     return {{s.center.x - s.radius, s.center.y - s.radius, s.center.z - s.radius},
@@ -28,11 +31,13 @@ struct ShapeTraits<Sphere> {
   }
 
   static void freeze(const Sphere& s, const Frame& frame, double (&out)[kReals]) {
-    const Vec3 center = frame.point(s.center);
-    out[0] = center.x;
-    out[1] = center.y;
-    out[2] = center.z;
-    out[3] = frame.length(s.radius);
+    const Vec3 c = frame.point(s.center);
+    const double r = frame.length(s.radius);
+    const double away = std::sqrt(c.x * c.x + c.y * c.y + c.z * c.z);
+    const Vec3 toward = away > 0 ? Vec3{-c.x / away, -c.y / away, -c.z / away} : Vec3{0, 0, 1};
+    out[0] = c.x, out[1] = c.y, out[2] = c.z;
+    out[3] = r;
+    out[4] = c.x + r * toward.x, out[5] = c.y + r * toward.y, out[6] = c.z + r * toward.z;
   }
 };
 
@@ -47,34 +52,52 @@ struct ShapeLanes<Sphere, L> {
   /// Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems (2019)
   /// ch. 7: the discriminant from the distance between centre and ray, the roots without
   /// cancellation.
-  static ZRAKA_INLINE F intersect(const F (&s)[4], const V3<F>& origin, const V3<F>& direction) {
+  static ZRAKA_INLINE F intersect(const F (&s)[7], const V3<F>& origin, const V3<F>& direction) {
     const V3<F> from_center{origin.x - s[0], origin.y - s[1], origin.z - s[2]};
     const F b = -dot(from_center, direction);
     const V3<F> nearest = from_center + direction * b;
-    const F r2 = s[3] * s[3];
-    const F discriminant = r2 - dot(nearest, nearest);
+    const F discriminant = s[3] * s[3] - dot(nearest, nearest);
     if (!any(discriminant >= F(0.0f))) return F(-1.0f);
     const F root = sqrt(max(discriminant, F(0.0f)));
-    const F c = dot(from_center, from_center) - r2;
+    const F c = power_of_point(s, origin);
     const auto ahead = b >= F(0.0f);
     const F q = b + select(ahead, root, -root);  // the root of larger magnitude; c/q is the other
     const auto take_q = both(c < F(0.0f), ahead);
     return select(discriminant >= F(0.0f), select(take_q, q, c / q), F(-1.0f));
   }
 
-  static ZRAKA_INLINE SurfacePoint<L> surface(const F (&s)[4], const V3<F>& origin, const V3<F>& point) {
-    const V3<F> center{s[0], s[1], s[2]};
-    const V3<F> from_center = point - center;
+  static ZRAKA_INLINE SurfacePoint<L> surface(const F (&s)[7], const V3<F>& origin,
+                                              const V3<F>& direction, const V3<F>& point) {
+    // A Newton step along the ray takes the point to the surface; where the ray grazes, along the
+    // normal.
+    const V3<F> near_center{point.x - s[0], point.y - s[1], point.z - s[2]};
+    const F power = power_of_point(s, point);
+    const F slope = dot(near_center, direction);
+    const auto steep = slope * slope > s[3] * s[3] * F(0x1p-12f);
+    const F along = select(steep, power / (slope + slope), F(0.0f));
+    const V3<F> from_center = near_center - direction * along;
     const V3<F> normal = from_center * (F(1.0f) / sqrt(dot(from_center, from_center)));
-    // The point is rounded at the magnitude of its coordinates, the normal and the next ray's quadratic at that
-    // of the radius; 16 half units in the last place of their sum is over twice what these add up to.
-    const F magnitude = max(abs(s[0]), max(abs(s[1]), abs(s[2]))) + s[3];
+    const F below = select(steep, F(0.0f), power / (s[3] + s[3]));
+    const V3<F> on_surface = (point - direction * along) - normal * below;
+    // What is rounded are coordinates and distances to the anchor; 16 half units in the last place
+    // of their sum are over twice what the roundings here and in the next ray's quadratic add up
+    // to.
+    const V3<F> from_anchor{point.x - s[4], point.y - s[5], point.z - s[6]};
+    const auto largest = [](const V3<F>& v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); };
+    const F magnitude = largest(on_surface) + largest(from_anchor);
     // Where the ray began tells the sides apart also where it only grazes, unlike the sign of N·V.
-    const V3<F> began = origin - center;
-    return {center + normal * s[3], normal, magnitude * F(kOffset), dot(began, began) < s[3] * s[3]};
+    return {on_surface, normal, magnitude * F(kOffset), power_of_point(s, origin) < F(0.0f)};
   }
 
  private:
+  /// |p - centre|² - r², from the anchor a as g·(g + 2w) with g = p - a, w = a - centre: for a
+  /// sphere that is large beside the scene, a ground, the squares would leave no digits for the
+  /// distance from its surface.
+  static ZRAKA_INLINE F power_of_point(const F (&s)[7], const V3<F>& p) {
+    const V3<F> g{p.x - s[4], p.y - s[5], p.z - s[6]};
+    const V3<F> w{s[4] - s[0], s[5] - s[1], s[6] - s[2]};
+    return dot(g, V3<F>{g.x + (w.x + w.x), g.y + (w.y + w.y), g.z + (w.z + w.z)});
+  }
   static constexpr float kOffset = sizeof(typename L::Real) == 4 ? 0x1p-20f : 0x1p-49f;
 };
 

@@ -1,0 +1,117 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# command_line.sh PROGRAM: the program as people meet it: exit codes, words, files that stay whole.
+set -u
+zraka=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failed=0
+scene=scenes/lab/input.txt
+
+fail() {
+  echo "FAILED: $*"
+  failed=1
+}
+# expect CODE TEXT COMMAND…: the exit code, and text that standard error or output has.
+expect() {
+  local code=$1 text=$2 got
+  shift 2
+  "$@" >"$folder/words" 2>&1 </dev/null
+  got=$?
+  [ "$got" = "$code" ] || fail "exit code $got instead of $code: $* ($(head -c 300 "$folder/words"))"
+  grep -qF -- "$text" "$folder/words" || fail "no '$text' from: $* ($(head -c 300 "$folder/words"))"
+}
+
+# Help and version.
+expect 0 "Examples:" "$zraka" --help
+for command in render stages info generate "generate letter"; do
+  # shellcheck disable=SC2086
+  expect 0 "Example" "$zraka" $command --help
+done
+expect 0 "in use:" "$zraka" --version
+expect 0 "in use: portable" env ZRAKA_ISA=portable "$zraka" --version
+
+# Wrong usage.
+expect 2 "A subcommand is required" "$zraka"
+expect 2 "--frobnicate" "$zraka" render "$scene" -o "$folder/a.png" --frobnicate
+expect 2 "--output is required" "$zraka" render "$scene"
+expect 2 "'9' is not a stage" "$zraka" render "$scene" -o "$folder/a.png" --stage 9
+expect 2 "--max-depth" "$zraka" render "$scene" -o "$folder/a.png" --max-depth -1
+expect 2 "'mmx' is not avx512, avx2, portable or oracle" "$zraka" render "$scene" -o "$folder/a.png" --isa mmx
+expect 1 "which is no instruction set" env ZRAKA_ISA=mmx "$zraka" render "$scene" -o "$folder/a.png"
+[ -e "$folder/a.png" ] && fail "a picture of a render that failed"
+
+# Pictures: silent when piped, the same by number and by name of a stage.
+"$zraka" render "$scene" -o "$folder/a.png" >"$folder/words" 2>&1 || fail "render"
+[ -s "$folder/words" ] && fail "render is not silent: $(cat "$folder/words")"
+[ "$(head -c 4 "$folder/a.png" | tail -c 3)" = PNG ] || fail "no PNG"
+"$zraka" render "$scene" -o "$folder/4.png" --stage 4 && "$zraka" render "$scene" -o "$folder/s.png" --stage specular
+cmp -s "$folder/4.png" "$folder/s.png" || fail "stage 4 is not stage specular"
+cmp -s "$folder/4.png" "$folder/a.png" && fail "stage 4 is the whole picture"
+"$zraka" render - -o "$folder/b.png" <"$scene" || fail "standard input"
+cmp -s "$folder/a.png" "$folder/b.png" || fail "standard input gives another picture"
+for isa in $("$zraka" --version | sed -n 's/^this machine has://p'); do
+  "$zraka" render "$scene" -o "$folder/b.png" --isa "$isa" --threads 1 --tile 5 || fail "$isa"
+  cmp -s "$folder/a.png" "$folder/b.png" || fail "$isa gives other bytes"
+done
+expect 0 '"isa": "portable"' "$zraka" render "$scene" -o "$folder/b.png" --isa portable --stats=json
+for key in load build render write camera shadow reflected refracted hits scene accel threads isa sha256; do
+  grep -q "\"$key\"" "$folder/words" || fail "--stats=json has no $key"
+done
+expect 0 "sha256" "$zraka" render --stats "$scene" -o "$folder/b.png"
+
+# Bad input: an answer at once, exit code 1, nothing written.
+bad() {
+  local text=$1
+  shift
+  rm -f "$folder/bad.png"
+  expect 1 "$text" timeout 5 "$zraka" render "$@" -o "$folder/bad.png"
+  [ -e "$folder/bad.png" ] && fail "a picture of bad input: $*"
+}
+bad "cannot be read: No such file or directory" "$folder/nowhere.txt"
+bad "is a folder, not a file" "$folder"
+: >"$folder/empty.txt"
+bad "the file is empty" "$folder/empty.txt"
+head -c 100000 /dev/urandom >"$folder/noise.txt"
+bad "the file is not text" "$folder/noise.txt"
+printf '0,0,2:2:400:0,2,-2:1000000000:' >"$folder/many.txt"
+bad "has room for 0 at most" "$folder/many.txt"
+printf '0,0,2:2:1000000000:0,2,-2:0' >"$folder/large.txt"
+bad "expected 11585 at most" "$folder/large.txt"
+bad "too large: at most 134217728 pixels fit" "$scene" --width 1000000
+if [ "$(id -u)" != 0 ]; then
+  cp "$scene" "$folder/secret.txt" && chmod 000 "$folder/secret.txt"
+  bad "cannot be read: Permission denied" "$folder/secret.txt"
+fi
+expect 1 "the file is empty" "$zraka" info "$folder/empty.txt"
+
+# Output that cannot be written: exit code 1, the old file as it was.
+expect 1 "does its folder exist?" "$zraka" render "$scene" -o "$folder/no/a.png"
+expect 1 "it is a folder" "$zraka" render "$scene" -o "$folder"
+expect 1 "No space left on device" "$zraka" render "$scene" -o /dev/full
+echo old >"$folder/old.png"
+expect 1 "error" bash -c "ulimit -f 8; trap '' XFSZ; '$zraka' render $scene -o '$folder/old.png'"
+[ "$(cat "$folder/old.png")" = old ] || fail "a failed write changed the old file"
+[ "$(find "$folder" -name 'old.png*' | wc -l)" = 1 ] || fail "a failed write left a file behind"
+
+# Stages: seven pictures, six differences, one sheet.
+expect 0 "contact-sheet.png" "$zraka" stages "$scene" -o "$folder/stages/deep" --width 60
+[ "$(find "$folder/stages/deep" -name '*.png' | wc -l)" = 14 ] || fail "stages wrote $(ls "$folder/stages/deep")"
+expect 1 "cannot be made a folder" "$zraka" stages "$scene" -o "$folder/old.png"
+
+# Letters.
+"$zraka" generate letter Đ -o "$folder/letter.txt" || fail "generate letter"
+expect 0 "spheres" "$zraka" info "$folder/letter.txt"
+expect 1 "no visible letter" "$zraka" generate letter " " -o "$folder/none.txt"
+expect 0 '"sphere"' "$zraka" info "$folder/letter.txt" --format json
+
+# Ctrl-C: at once, exit code 130, no half file.
+"$zraka" render "$scene" -o "$folder/slow.png" --width 11000 --max-depth 20 &
+sleep 0.3
+kill -INT $!
+wait $!
+[ $? = 130 ] || fail "Ctrl-C does not end with 130"
+[ "$(find "$folder" -name 'slow.png*' | wc -l)" = 0 ] || fail "Ctrl-C leaves a file"
+
+[ $failed = 0 ] && echo "all well"
+exit $failed

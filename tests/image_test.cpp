@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <zraka/image.hpp>
+
+namespace zraka {
+namespace {
+
+TEST(Quantize, IsTheLabsRounding) {
+  EXPECT_EQ(quantize(0, Transfer::linear, 8), 0);
+  EXPECT_EQ(quantize(1, Transfer::linear, 8), 255);
+  EXPECT_EQ(quantize(0.5f, Transfer::linear, 8), 128);  // int(127.5 + 0.5)
+  EXPECT_EQ(quantize(0.49f / 255, Transfer::linear, 8), 0);
+  EXPECT_EQ(quantize(0.51f / 255, Transfer::linear, 8), 1);
+  EXPECT_EQ(quantize(1, Transfer::linear, 16), 65535);
+}
+
+TEST(Quantize, ClampsAndTakesNanForBlack) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
+    EXPECT_EQ(quantize(-kInfinity, transfer, 8), 0);
+    EXPECT_EQ(quantize(-1, transfer, 8), 0);
+    EXPECT_EQ(quantize(2, transfer, 8), 255);
+    EXPECT_EQ(quantize(kInfinity, transfer, 8), 255);
+    EXPECT_EQ(quantize(std::nanf(""), transfer, 8), 0);
+  }
+}
+
+TEST(Quantize, FollowsTheSrgbCurve) {
+  for (int i = 0; i <= 65535; i += 13) {
+    const double linear = i / 65535.0;
+    const double want =
+        linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+    EXPECT_NEAR(quantize(static_cast<float>(linear), Transfer::srgb, 16), want * 65535, 1.0);
+  }
+}
+
+Image gradient() {
+  Image image(37, 21);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = static_cast<float>(i % 256) / 255.0f;
+  return image;
+}
+
+TEST(Png, ComesBackAsItWent) {
+  const std::string path = testing::TempDir() + "zraka-round-trip.png";
+  const Image image = gradient();
+  for (const int bits : {8, 16}) {
+    ASSERT_TRUE(write_png(image, path, {bits, Transfer::linear}));
+    const Image back = read_png(path).value();
+    ASSERT_EQ(back.width, image.width);
+    ASSERT_EQ(back.height, image.height);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      ASSERT_NEAR(back.pixels[i], image.pixels[i], 1e-6f) << i << " at " << bits << " bits";
+  }
+  std::filesystem::remove(path);
+}
+
+TEST(Png, HoldsNoDate) {
+  const std::string path = testing::TempDir() + "zraka-date.png";
+  ASSERT_TRUE(write_png(gradient(), path));
+  std::ifstream stream(path, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  EXPECT_EQ(bytes.find("tIME"), std::string::npos);
+  EXPECT_EQ(bytes.find("tEXt"), std::string::npos);
+  EXPECT_NE(bytes.find("IDAT"), std::string::npos);
+  std::filesystem::remove(path);
+}
+
+TEST(Png, ThatIsNoneIsRefused) {
+  const std::string path = testing::TempDir() + "zraka-none.png";
+  std::ofstream(path) << "no picture at all";
+  const Result<Image> image = read_png(path);
+  ASSERT_FALSE(image);
+  EXPECT_EQ(image.error().front().message, "is no PNG that can be read: Not a PNG file");
+  std::filesystem::remove(path);
+}
+
+TEST(Sha256, IsOfSizeAndFloats) {
+  // sha256 of 01000000 01000000 and three zero floats, as any other program computes it.
+  EXPECT_EQ(sha256(Image(1, 1)),
+            "2443085e6d56c5a38e87a1a3153ea6e48d03f3e53aeb0a1b98c02f948493a8e8");
+  EXPECT_NE(sha256(Image(1, 2)), sha256(Image(2, 1)));
+}
+
+}  // namespace
+}  // namespace zraka

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Includes point one way: a room of src/ may use those before it in the list, and the public API.
+set -u
+cd "$(dirname "$0")/.."
+status=0
+complain() {
+  echo "$1"
+  status=1
+}
+rank() {
+  case $1 in
+    core) echo 1 ;; math) echo 1 ;; image) echo 2 ;; glyphs) echo 2 ;; shapes) echo 2 ;; textures) echo 2 ;;
+    scene) echo 3 ;; formats) echo 4 ;; accel) echo 4 ;; engine) echo 5 ;; render) echo 6 ;; *) echo 7 ;;
+  esac
+}
+for file in $(find src -name '*.hpp' -o -name '*.cpp'); do
+  room=$(echo "$file" | cut -d/ -f2)
+  for included in $(sed -n 's/^ *#include "\([a-z_]*\)\/.*/\1/p' "$file" | sort -u); do
+    [ "$included" = "$room" ] && continue
+    [ -d "src/$included" ] || complain "$file includes $included/, which is no room of src/"
+    [ "$(rank "$included")" -lt "$(rank "$room")" ] || complain "$file: $room/ must not include $included/"
+  done
+done
+# The engine's dispatch belongs to render/ alone.
+for file in $(grep -rlE '#include "engine/(trace_tile|kernel)' src apps --include='*.[ch]pp'); do
+  case $file in src/engine/*) ;; *) complain "$file: only the engine's own files see its insides" ;; esac
+done
+# The public API stands on its own.
+for file in $(grep -rlE '#include "' include); do complain "$file includes a header of src/"; done
+exit $status

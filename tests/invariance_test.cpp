@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// What must not change a picture: threads, tiles, instruction sets; a scene's place and unit.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "scenes.hpp"
+
+namespace zraka {
+namespace {
+
+TEST(Picture, HasTheSameBitsHoweverItIsComputed) {
+  for (const NamedScene& named : test_scenes())
+    for (const ProfileName profile : {ProfileName::lab, ProfileName::physical}) {
+      RenderOptions options{.profile = profile_of(profile)};
+      options.isa = Isa::portable;
+      options.threads = 1;
+      const std::string want = sha256(render(named.scene, options).value().image);
+      for (const Isa isa : available_isas())
+        for (const int threads : {1, 2, 3})
+          for (const int tile : {0, 1, 7, 16, 64}) {
+            if (tile == 1 && threads != 1) continue;
+            options.isa = isa;
+            options.threads = threads;
+            options.tile = tile;
+            ASSERT_EQ(sha256(render(named.scene, options).value().image), want)
+                << named.name << ", " << name_of(isa) << ", " << threads << " threads, tile "
+                << tile;
+          }
+    }
+}
+
+TEST(Picture, HasTheBitsThatItAlwaysHad) {
+  // Changes with a reason only, in words, in the commit: these are the same for every compiler and
+  // machine.
+  const std::vector<NamedScene> scenes = test_scenes();
+  EXPECT_EQ(
+      sha256(render(scenes[0].scene, {.profile = profile_of(ProfileName::lab)}).value().image),
+      "d7231f82c37b7e2db344c7390508511880fbef6ea87e99864c424db8b9a562ce");
+  EXPECT_EQ(
+      sha256(render(scenes[1].scene, {.profile = profile_of(ProfileName::lab)}).value().image),
+      "6d5218d668715f5a378899c0ca340a9d9307c2ca190d2d65e96d7fae754f6ff2");
+}
+
+TEST(Picture, IsWhatTheDoubleOracleComputes) {
+  double agreeing = 0, pixels = 0;
+  for (const NamedScene& named : test_scenes())
+    for (const ProfileName profile : {ProfileName::lab, ProfileName::physical}) {
+      RenderOptions options{.profile = profile_of(profile)};
+      const Image lanes = render(named.scene, options).value().image;
+      options.isa = Isa::oracle;
+      const Image oracle = render(named.scene, options).value().image;
+      const double share = agreement(lanes, oracle, 1.0f / 255);
+      const double count = static_cast<double>(lanes.pixels.size()) / 3;
+      // The scenes of the project, as they are drawn.
+      if (named.name == "input" || named.name == "letter")
+        agreeing += share * count, pixels += count;
+      EXPECT_GE(share, 0.997) << named.name;
+    }
+  EXPECT_GE(agreeing / pixels, 0.9999);
+}
+
+Scene moved(Scene scene, double by, double scale) {
+  const auto point = [&](Vec3& v) {
+    v = {v.x * scale + by, v.y * scale - by, v.z * scale + 2 * by};
+  };
+  const auto vector = [&](Vec3& v) { v = {v.x * scale, v.y * scale, v.z * scale}; };
+  point(scene.camera.eye);
+  point(scene.camera.window_center);
+  vector(scene.camera.window_right);
+  vector(scene.camera.window_up);
+  for (PointLight& light : scene.lights) point(light.position);
+  for (auto& sphere : scene.spheres) {
+    point(sphere.shape.center);
+    sphere.shape.radius *= scale;
+  }
+  return scene;
+}
+
+TEST(Picture, DoesNotDependOnPlaceAndUnit) {
+  for (const NamedScene& named : test_scenes()) {
+    const RenderOptions options{.profile = profile_of(ProfileName::lab)};
+    const Image here = render(named.scene, options).value().image;
+    for (const auto& [by, scale] : {std::pair{1e6, 1.0}, {0.0, 1e6}, {0.0, 1e-6}, {-3e5, 1024.0}}) {
+      const Image there = render(moved(named.scene, by, scale), options).value().image;
+      EXPECT_GE(agreement(here, there, 1.0f / 255), 0.998)
+          << named.name << " by " << by << ", scale " << scale;
+    }
+  }
+}
+
+TEST(Isa, IsForcedByTheEnvironment) {
+  for (const Isa isa : available_isas()) {
+    ::setenv("ZRAKA_ISA", std::string(name_of(isa)).c_str(), 1);
+    EXPECT_EQ(render(lab_scene(8), {}).value().stats.isa, isa);
+  }
+  ::setenv("ZRAKA_ISA", "mmx", 1);
+  EXPECT_EQ(render(lab_scene(8), {}).error().front().message,
+            "the environment's ZRAKA_ISA names 'mmx', which is no instruction set");
+  ::unsetenv("ZRAKA_ISA");
+  EXPECT_EQ(render(lab_scene(8), {}).value().stats.isa, available_isas().front());
+}
+
+}  // namespace
+}  // namespace zraka

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes that several tests look at.
+#pragma once
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+#include <zraka/zraka.hpp>
+
+namespace zraka {
+
+struct NamedScene {
+  std::string name;
+  Scene scene;
+};
+
+/// The lab's window and eye, one light; spheres and materials are for the test to add.
+inline Scene lab_scene(std::uint32_t resolution = 100) {
+  Scene scene;
+  scene.resolution = {resolution, resolution};
+  scene.lights = {{{0, 2, 2}, {1, 1, 1}}};
+  scene.default_profile = ProfileName::lab;
+  return scene;
+}
+
+inline void add_sphere(Scene& scene, Vec3 center, double radius, Material material) {
+  scene.spheres.push_back({{center, radius}, static_cast<std::uint32_t>(scene.materials.size())});
+  scene.materials.push_back(material);
+}
+
+/// Spheres inside and through each other, glass that reflects totally, mirrors, two lights.
+inline Scene tangled_scene(std::uint32_t resolution = 100) {
+  Scene scene = lab_scene(resolution);
+  scene.lights.push_back({{-3, 1, 0}, {0.3, 0.5, 0.9}});
+  scene.background = {0.1, 0.2, 0.3};
+  std::mt19937 random(3);
+  const auto unit = [&] { return static_cast<double>(random() % 1000) / 1000; };
+  for (int i = 0; i < 40; ++i) {
+    const Material m{.ambient = {unit() / 3, unit() / 3, unit() / 3},
+                     .diffuse = {unit(), unit(), unit()},
+                     .specular = {unit(), unit(), unit()},
+                     .shininess = 1 + 100 * unit(),
+                     .reflection = i % 3 == 0 ? 0.5 * unit() : 0,
+                     .refraction = i % 2 == 0 ? 0.9 * unit() : 0,
+                     .refractive = 0.5 + unit()};
+    add_sphere(scene, {3 * unit() - 1.5, 3 * unit() - 1.5, -1 - 3 * unit()}, 0.1 + 0.5 * unit(), m);
+  }
+  add_sphere(scene, {0, 0, -2}, 0.8, {.reflection = 0.1, .refraction = 0.8, .refractive = 0.667});
+  add_sphere(scene, {0, 0, -2}, 0.4, {.diffuse = {1, 0, 0}});
+  return scene;
+}
+
+/// The project's own scenes, and some that are made here.
+inline std::vector<NamedScene> test_scenes() {
+  std::vector<NamedScene> scenes;
+  for (const char* name : {"input", "letter"}) {
+    const std::string path = std::string(ZRAKA_SOURCE_DIR "/scenes/lab/") + name + ".txt";
+    scenes.push_back({name, read_scene(path).value().scene});
+    scenes.back().scene.resolution = {200, 200};
+  }
+  scenes.push_back({"tangled", tangled_scene(200)});
+  Scene other_eye = tangled_scene(200);
+  other_eye.camera.eye = {0.7, -0.4, 3};
+  other_eye.camera.window_right = {3, 0, 0};
+  other_eye.camera.window_up = {0, 3, 0};
+  other_eye.resolution = {157, 157};
+  scenes.push_back({"tangled from another eye", other_eye});
+  return scenes;
+}
+
+/// Share of the pixels whose channels all agree to within `tolerance`, after clamping to 0…1.
+inline double agreement(const Image& a, const Image& b, float tolerance) {
+  std::size_t good = 0;
+  const auto clamped = [](float v) { return std::fmin(std::fmax(v, 0.0f), 1.0f); };
+  for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
+    bool same = true;
+    for (std::size_t c = i; c < i + 3; ++c)
+      same = same && std::fabs(clamped(a.pixels[c]) - clamped(b.pixels[c])) <= tolerance;
+    good += same;
+  }
+  return static_cast<double>(3 * good) / static_cast<double>(a.pixels.size());
+}
+
+}  // namespace zraka

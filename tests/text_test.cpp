@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <zraka/diagnostic.hpp>
+
+namespace zraka {
+namespace {
+
+TEST(ParseNumber, TakesWhatPeopleWrite) {
+  EXPECT_EQ(parse_number("1"), 1);
+  EXPECT_EQ(parse_number("-0.5"), -0.5);
+  EXPECT_EQ(parse_number("+2"), 2);
+  EXPECT_EQ(parse_number(".5"), 0.5);
+  EXPECT_EQ(parse_number("1."), 1);
+  EXPECT_EQ(parse_number("1e-3"), 0.001);
+}
+
+TEST(ParseNumber, TakesNothingElse) {
+  for (const char* text : {"", "-", "+", ".", "abc", "1 2", "1,5", "0x10", "nan", "inf", "-inf",
+                           "+-1", "--1", "1e", "1.5f"})
+    EXPECT_FALSE(parse_number(text)) << text;
+}
+
+TEST(ParseNumber, IsInfiniteOutOfRangeAndZeroForTheTiny) {
+  EXPECT_TRUE(std::isinf(*parse_number("1e999")));
+  EXPECT_LT(*parse_number("-1e999"), 0);
+  EXPECT_EQ(parse_number("1e-999"), 0);
+}
+
+TEST(Places, CountCharactersOfUtf8) {
+  const std::string text = "a\nčć x\r\ny";
+  Places places(text);
+  EXPECT_EQ(places.at(0).line, 1u);
+  const Place x = places.at(text.find('x'));
+  EXPECT_EQ(x.line, 2u);
+  EXPECT_EQ(x.column, 4u);
+  EXPECT_EQ(places.at(text.find('y')).line, 3u);
+  EXPECT_EQ(places.at(0).column, 1u) << "going back works too";
+}
+
+TEST(Places, CountBytesOfOtherEncodings) {
+  const std::string text = "\xE8\xE6 x";  // čć in Latin-2
+  EXPECT_EQ(Places(text).at(3).column, 4u);
+}
+
+TEST(Places, ShowTheLineWithACaret) {
+  EXPECT_EQ(Places("one\n\ttwo, x\nthree").excerpt(10), "\ttwo, x\n\t     ^");
+  EXPECT_EQ(Places("čć x").excerpt(5), "čć x\n   ^");
+}
+
+TEST(Places, CutLongLinesAndHideControls) {
+  const std::string text = std::string(200, 'a') + "X" + std::string(200, 'b') + "\x01";
+  const std::string excerpt = Places(text).excerpt(200);
+  EXPECT_EQ(excerpt, "…" + std::string(60, 'a') + "X" + std::string(39, 'b') + "…\n" +
+                         std::string(61, ' ') + "^");
+  EXPECT_EQ(Places("\x01x").excerpt(1), "\uFFFDx\n ^");
+}
+
+TEST(Shown, CutsAndCleans) {
+  EXPECT_EQ(shown("a\nb"), "a\uFFFDb");
+  EXPECT_EQ(shown(std::string(100, 'x')), std::string(60, 'x') + "…");
+}
+
+TEST(Grouped, PutsSpacesBetweenThousands) {
+  EXPECT_EQ(grouped(0), "0");
+  EXPECT_EQ(grouped(999), "999");
+  EXPECT_EQ(grouped(1234567), "1 234 567");
+}
+
+TEST(Diagnostic, ReadsLikeACompilers) {
+  const Diagnostic d{Severity::warning, "a.txt", 3, 7, "something is odd", "mend it", "line\n  ^"};
+  EXPECT_EQ(to_string(d), "a.txt:3:7: warning: something is odd\n  line\n    ^\n  mend it\n");
+  EXPECT_EQ(to_string({.message = "no"}), "error: no\n");
+}
+
+}  // namespace
+}  // namespace zraka
