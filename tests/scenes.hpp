@@ -52,15 +52,15 @@ inline Scene tangled_scene(std::uint32_t resolution = 100) {
 }
 
 /// The project's own scenes, and some that are made here.
-inline std::vector<NamedScene> test_scenes() {
+inline std::vector<NamedScene> test_scenes(std::uint32_t resolution = 200) {
   std::vector<NamedScene> scenes;
   for (const char* name : {"input", "letter"}) {
     const std::string path = std::string(ZRAKA_SOURCE_DIR "/scenes/lab/") + name + ".txt";
     scenes.push_back({name, read_scene(path).value().scene});
-    scenes.back().scene.resolution = {200, 200};
+    scenes.back().scene.resolution = {resolution, resolution};
   }
-  scenes.push_back({"tangled", tangled_scene(200)});
-  Scene other_eye = tangled_scene(200);
+  scenes.push_back({"tangled", tangled_scene(resolution)});
+  Scene other_eye = tangled_scene(resolution);
   other_eye.camera.eye = {0.7, -0.4, 3};
   other_eye.camera.window_right = {3, 0, 0};
   other_eye.camera.window_up = {0, 3, 0};

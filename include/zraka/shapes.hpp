@@ -12,7 +12,31 @@ struct Sphere {
   double radius = 1;  ///< greater than 0
 };
 
+/// Flat; seen from both sides.
+struct Triangle {
+  Vec3 a, b, c;
+};
+
+/// A triangle whose normal is blended from its corners' (Phong 1975), as patches of curved surfaces
+/// have them. The normals need not have unit length; which side they point to tells outside.
+struct SmoothTriangle {
+  Vec3 a, b, c;
+  Vec3 normal_a, normal_b, normal_c;
+};
+
+/// The side of a cone, a frustum or a cylinder, without its caps; seen from both sides.
+struct Cone {
+  Vec3 base;
+  double base_radius = 1;  ///< 0 or more, one of the two more
+  Vec3 apex;
+  double apex_radius = 0;
+};
+
 }  // namespace zraka
 
 /// X(type, plural): every shape, in the order of primitive ids.
-#define ZRAKA_SHAPES(X) X(Sphere, spheres)
+#define ZRAKA_SHAPES(X)               \
+  X(Sphere, spheres)                  \
+  X(Triangle, triangles)              \
+  X(SmoothTriangle, smooth_triangles) \
+  X(Cone, cones)

@@ -60,13 +60,13 @@ struct Level {
 /// each.
 template <class R>
 struct Scratch {
-  R* t;              ///< distance to the nearest hit, by ray
-  std::int32_t* id;  ///< its primitive, by ray; -1: none
-  R *px, *py, *pz;   ///< the rest by hit: point
-  R *nx, *ny, *nz;   ///< unit normal towards the viewer
-  R *vx, *vy, *vz;   ///< unit direction to the viewer
-  R* offset;         ///< how far along the normal the next rays start
-  R* inside;         ///< 1 where the ray met the surface from inside, else 0
+  R* t;                ///< distance to the nearest hit, by ray
+  std::int32_t* slot;  ///< its primitive, by ray; -1: none
+  R *px, *py, *pz;     ///< the rest by hit: point
+  R *nx, *ny, *nz;     ///< unit normal towards the viewer
+  R *vx, *vy, *vz;     ///< unit direction to the viewer
+  R* offset;           ///< how far along the normal the next rays start
+  R* inside;           ///< 1 where the ray met the surface from inside, else 0
   std::int32_t* material;
   R* lit;  ///< 1 where the light at hand reaches the hit, else 0
   R *fox, *foy, *foz, *fdx, *fdy, *fdz, *fdistance;  ///< by feeler

@@ -2,7 +2,7 @@
 // Nearest hits of a batch of rays, and the surface at each (sheet 3.3 and 3.7).
 #pragma once
 
-#include "accel/flat_list.hpp"
+#include "accel/traverse.hpp"
 #include "engine/engine.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -19,7 +19,8 @@ ZRAKA_INLINE RayLanes<L> load_rays(const RayArrays<R>& rays, std::size_t i) {
 /// Finds what each ray of the batch meets, lists those that meet something in hits.ray, and gives
 /// the others the background's colour.
 template <class L, class R = typename L::Real>
-void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scratch) {
+void trace_nearest(const FrozenScene<R>& scene, Travel travel, Level<R>& level,
+                   Scratch<R>& scratch) {
   using F = typename L::F;
   using I = typename L::I;
   const auto begin = static_cast<std::size_t>(level.done);
@@ -27,10 +28,11 @@ void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scr
   std::size_t hits = 0;
   for (std::size_t i = 0; i < n; i += L::kWidth) {
     RayLanes<L> ray = load_rays<L>(level.rays, begin + i);
-    find_nearest<L>(scene, ray);
-    const auto met = both(ray.id >= I(0), L::first(n - i));
+    const auto active = L::first(n - i);
+    find_nearest<L>(scene, travel, active, ray);
+    const auto met = both(ray.slot >= I(0), active);
     L::store(ray.t, scratch.t + i);
-    L::store(ray.id, scratch.id + i);
+    L::store(ray.slot, scratch.slot + i);
     L::store(F(scene.background.x), level.rays.r + begin + i);
     L::store(F(scene.background.y), level.rays.g + begin + i);
     L::store(F(scene.background.z), level.rays.b + begin + i);
@@ -48,9 +50,9 @@ ZRAKA_INLINE void surface_of(const FrozenShapes<typename L::Real, Shape>& shapes
                              typename L::I& material) {
   using F = typename L::F;
   using I = typename L::I;
-  const auto mine = but_not(id >= I(shapes.first_id), id >= I(shapes.first_id + shapes.count));
+  const auto mine = but_not(id >= I(shapes.first_slot), id >= I(shapes.first_slot + shapes.count));
   if (!any(mine)) return;
-  const I index = select(mine, id + I(-shapes.first_id), I(0));
+  const I index = select(mine, id + I(-shapes.first_slot), I(0));
   F shape[ShapeTraits<Shape>::kReals];
   for (int k = 0; k < ShapeTraits<Shape>::kReals; ++k)
     shape[k] = L::gather(shapes.column[k], index);
@@ -82,7 +84,7 @@ void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R
 
     SurfacePoint<L> surface{point, -direction, F(0), L::first(0)};
     I material(0);
-    const I id = L::gather(scratch.id, ray);
+    const I id = L::gather(scratch.slot, ray);
 #define ZRAKA_SURFACE(Type, plural) \
   surface_of<L>(scene.plural, id, origin, direction, point, surface, material);
     ZRAKA_SHAPES(ZRAKA_SURFACE)

@@ -2,7 +2,7 @@
 // Local light: Phong's model with shadow feelers (sheet 3.3).
 #pragma once
 
-#include "accel/flat_list.hpp"
+#include "accel/traverse.hpp"
 #include "engine/camera_rays.hpp"
 #include "engine/engine.hpp"
 #include "math/power.hpp"
@@ -95,7 +95,7 @@ void trace_feelers(const FrozenScene<R>& scene, std::size_t feelers, Scratch<R>&
         {L::load(scratch.fdx + i), L::load(scratch.fdy + i), L::load(scratch.fdz + i)},
         L::load(scratch.fdistance + i),
         typename L::I(-1)};
-    const auto blocked = find_blocked<L>(scene, ray, L::first(feelers - i));
+    const auto blocked = find_blocked<L>(scene, Travel::apart, L::first(feelers - i), ray);
     if (any(blocked)) L::scatter(F(0), blocked, scratch.lit, L::load(scratch.feeler_hit + i));
   }
 }

@@ -11,6 +11,7 @@ namespace {
 
 /// The first whose extension a file has; the last stands for files of any name.
 constexpr std::array kFormats = {
+    Format{"NFF", ".nff", std::uint64_t{1} << 36, parse_nff},
     Format{"lab input.txt", "", std::uint64_t{1} << 30, parse_lab_input},
 };
 

@@ -16,6 +16,7 @@ struct Format {
   Result<ReadScene> (*parse)(std::string_view text, const std::string& name);
 };
 
+Result<ReadScene> parse_nff(std::string_view text, const std::string& name);
 Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name);
 
 }  // namespace zraka

@@ -28,6 +28,7 @@ struct ScalarLanes {
   static constexpr std::size_t kWidth = 1;
 
   static ZRAKA_INLINE F load(const R* p) { return *p; }
+  static ZRAKA_INLINE F load_box(const float* p) { return static_cast<R>(*p); }
   static ZRAKA_INLINE I load(const std::int32_t* p) { return *p; }
   static ZRAKA_INLINE void store(F v, R* p) { *p = v; }
   static ZRAKA_INLINE void store(I v, std::int32_t* p) { *p = v; }
@@ -47,6 +48,16 @@ struct ScalarLanes {
   static ZRAKA_INLINE F to_real(I v) { return static_cast<R>(v); }
 };
 
+ZRAKA_INLINE double min_of(double v) {
+  return v;
+}
+ZRAKA_INLINE double max_of(double v) {
+  return v;
+}
+/// Bit i is set where lane i is true.
+ZRAKA_INLINE std::uint32_t bits(bool m) {
+  return m ? 1 : 0;
+}
 ZRAKA_INLINE bool any(bool m) {
   return m;
 }

@@ -72,6 +72,19 @@ ZRAKA_INLINE MaskLanes operator>=(IndexLanes a, IndexLanes b) {
   return {hn::RebindMask(wide::d, hn::Not(hn::Lt(a.v, b.v)))};
 }
 
+/// The least and the greatest of all lanes; without rounding, so in any order.
+ZRAKA_INLINE float min_of(FloatLanes v) {
+  return hn::GetLane(hn::MinOfLanes(wide::d, v.v));
+}
+ZRAKA_INLINE float max_of(FloatLanes v) {
+  return hn::GetLane(hn::MaxOfLanes(wide::d, v.v));
+}
+/// Bit i is set where lane i is true.
+ZRAKA_INLINE std::uint32_t bits(MaskLanes m) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(wide::d, m.v, bytes);
+  return static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8);
+}
 ZRAKA_INLINE bool any(MaskLanes m) {
   return !hn::AllFalse(wide::d, m.v);
 }
@@ -135,6 +148,7 @@ struct WideLanes {
   static constexpr std::size_t kWidth = HWY_LANES(float);
 
   static ZRAKA_INLINE F load(const float* p) { return hn::LoadU(wide::d, p); }
+  static ZRAKA_INLINE F load_box(const float* p) { return hn::LoadU(wide::d, p); }
   static ZRAKA_INLINE I load(const std::int32_t* p) { return hn::LoadU(wide::di, p); }
   static ZRAKA_INLINE void store(F v, float* p) { hn::StoreU(v.v, wide::d, p); }
   static ZRAKA_INLINE void store(I v, std::int32_t* p) { hn::StoreU(v.v, wide::di, p); }

@@ -12,6 +12,8 @@
 #include <mutex>
 #include <zraka/render.hpp>
 
+#include "accel/build.hpp"
+#include "core/handover.hpp"
 #include "render/isa.hpp"
 #include "render/workspace.hpp"
 #include "scene/freeze.hpp"
@@ -21,6 +23,9 @@ namespace {
 
 /// Small enough for the arrays of a tile's trees to stay in the second-level cache.
 constexpr int kDefaultTile = 32;
+
+/// So many shapes are asked one by one as fast as through a hierarchy.
+constexpr std::uint64_t kFewShapes = 16;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -57,7 +62,9 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
   std::atomic<std::uint64_t> pixels_done{0}, rays_done{0};
   std::atomic<bool> cancelled{false};
 
+  Handover to_workers, from_workers;
   const auto render_tile = [&](std::int32_t index) {
+    to_workers.take();
     if (cancelled.load(std::memory_order_relaxed)) return;
     if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed)) {
       cancelled = true;
@@ -70,6 +77,7 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
     kernel.trace_tile(scene, settings, rect, worker.memory.workspace(), counts, image.pixels.data(),
                       image.width);
     add(worker.counts, counts);
+    from_workers.give();
     if (options.progress) {
       const std::uint64_t area =
           static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
@@ -82,6 +90,7 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
   tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                             static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
+  to_workers.give();
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::int32_t>(0, columns * rows),
@@ -90,6 +99,7 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
         },
         tbb::simple_partitioner());
   });
+  from_workers.take();
   for (const Worker<R>& worker : workers) add(rendering.stats.rays, worker.counts);
   return !cancelled;
 }
@@ -98,9 +108,16 @@ template <class R>
 bool freeze_and_render(const Scene& scene, const Kernel<R>& kernel, const RenderOptions& options,
                        int tile, int threads, Rendering& rendering) {
   const auto start = std::chrono::steady_clock::now();
-  const auto store = freeze<R>(scene, options.profile);
+  const Frame frame = frame_of(scene);
+  BuiltHierarchy hierarchy;
+  if (scene.shape_count() > kFewShapes) {
+    std::vector<BuildRef> refs = references_to(scene, frame);
+    hierarchy = build_hierarchy(refs, kKinds);
+  }
+  const auto store = freeze<R>(scene, options.profile, frame, hierarchy);
   rendering.stats.build_seconds = seconds_since(start);
   rendering.stats.scene_bytes = store->bytes;
+  rendering.stats.accel_bytes = hierarchy.nodes.size() * sizeof(Node);
 
   const auto traced = std::chrono::steady_clock::now();
   const TraceSettings settings{options.terms, options.max_depth, options.profile.clamp_levels,

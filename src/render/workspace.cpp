@@ -33,7 +33,7 @@ void place_all(Layout& layout, Level<R>* levels, int level_count, Scratch<R>& s,
   layout.place(batch, s.t, s.px, s.py, s.pz, s.nx, s.ny, s.nz, s.vx, s.vy, s.vz, s.offset, s.inside,
                s.lit);
   layout.place(batch, s.fox, s.foy, s.foz, s.fdx, s.fdy, s.fdz, s.fdistance);
-  layout.place(batch, s.id, s.material, s.feeler_hit);
+  layout.place(batch, s.slot, s.material, s.feeler_hit);
   for (int i = 0; i < level_count; ++i) {
     RayArrays<R>& rays = levels[i].rays;
     layout.place(2 * batch, rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, rays.r, rays.g,

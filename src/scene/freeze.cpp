@@ -26,34 +26,6 @@ V3<R> narrow(const Color& c) {
   return {narrow<R>(c.r), narrow<R>(c.g), narrow<R>(c.b)};
 }
 
-/// The engine's frame for a scene: centred on the median of its shapes, where most of the detail
-/// is. A middle of the bounds would let one huge sphere, a ground, take the other shapes' digits.
-Frame frame_of(const Scene& scene) {
-  constexpr std::uint64_t kSamples = 65536;
-  const std::uint64_t step = scene.shape_count() / kSamples + 1;
-  Box bounds;
-  std::vector<double> x, y, z;
-  std::uint64_t index = 0;
-  const auto look_at = [&](const Box& box) {
-    bounds.include(box);
-    if (index++ % step != 0) return;
-    x.push_back(box.lower.x / 2 + box.upper.x / 2);
-    y.push_back(box.lower.y / 2 + box.upper.y / 2);
-    z.push_back(box.lower.z / 2 + box.upper.z / 2);
-  };
-#define ZRAKA_LOOK(Type, plural) \
-  for (const auto& object : scene.plural) look_at(ShapeTraits<Type>::bounds(object.shape));
-  ZRAKA_SHAPES(ZRAKA_LOOK)
-#undef ZRAKA_LOOK
-  if (x.empty()) return {};
-  const auto median = [](std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  };
-  return Frame::around({median(x), median(y), median(z)}, bounds);
-}
-
 template <class R>
 FrozenCamera<R> freeze_camera(const Scene& scene, const Profile& profile, const Frame& frame) {
   const Camera& camera = scene.camera;
@@ -97,11 +69,63 @@ void freeze_material(const Material& m, const Profile& profile, R* row) {
 
 }  // namespace
 
+Frame frame_of(const Scene& scene) {
+  constexpr std::uint64_t kSamples = 65536;
+  const std::uint64_t step = scene.shape_count() / kSamples + 1;
+  Box bounds;
+  std::vector<double> x, y, z;
+  std::uint64_t index = 0;
+  const auto look_at = [&](const Box& box) {
+    bounds.include(box);
+    if (index++ % step != 0) return;
+    x.push_back(box.lower.x / 2 + box.upper.x / 2);
+    y.push_back(box.lower.y / 2 + box.upper.y / 2);
+    z.push_back(box.lower.z / 2 + box.upper.z / 2);
+  };
+#define ZRAKA_LOOK(Type, plural) \
+  for (const auto& object : scene.plural) look_at(ShapeTraits<Type>::bounds(object.shape));
+  ZRAKA_SHAPES(ZRAKA_LOOK)
+#undef ZRAKA_LOOK
+  if (x.empty()) return {};
+  const auto median = [](std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  return Frame::around({median(x), median(y), median(z)}, bounds);
+}
+
+std::vector<BuildRef> references_to(const Scene& scene, const Frame& frame) {
+  // Intersections err by a few units in the last place of the numbers that they are made of:
+  // coordinates in the scene, at most 1 in this frame, and the eye's.
+  const Vec3 eye = frame.point(scene.camera.eye);
+  const double margin =
+      0x1p-20 * (1 + std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)}));
+  std::vector<BuildRef> refs;
+  refs.reserve(scene.shape_count());
+  const auto add = [&]<class Shape>(const std::vector<Object<Shape>>& objects, std::int32_t kind) {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      const Box box = ShapeTraits<Shape>::bounds(objects[i].shape);
+      const Vec3 lower = frame.point(box.lower), upper = frame.point(box.upper);
+      refs.push_back({{narrow<float>(lower.x - margin), narrow<float>(lower.y - margin),
+                       narrow<float>(lower.z - margin)},
+                      static_cast<std::int32_t>(i),
+                      {narrow<float>(upper.x + margin), narrow<float>(upper.y + margin),
+                       narrow<float>(upper.z + margin)},
+                      kind});
+    }
+  };
+#define ZRAKA_ADD(Type, plural) add(scene.plural, kKindOf##Type);
+  ZRAKA_SHAPES(ZRAKA_ADD)
+#undef ZRAKA_ADD
+  return refs;
+}
+
 template <class R>
-std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profile) {
+std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profile,
+                                       const Frame& frame, const BuiltHierarchy& hierarchy) {
   auto store = std::make_unique<FrozenStore<R>>();
   FrozenScene<R>& frozen = store->scene;
-  const Frame frame = frame_of(scene);
   frozen.camera = freeze_camera<R>(scene, profile, frame);
   frozen.background = narrow<R>(scene.background);
   frozen.ambient_light = narrow<R>(scene.ambient_light);
@@ -113,11 +137,12 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
 
   // One array for all the numbers: materials first, then column by column of each kind of shape.
   std::size_t reals = scene.materials.size() * kMaterialReals;
-#define ZRAKA_COUNT(Type, plural) reals += scene.plural.size() * ShapeTraits<Type>::kReals;
+#define ZRAKA_COUNT(Type, plural) \
+  reals += (scene.plural.size() + kColumnPadding) * ShapeTraits<Type>::kReals;
   ZRAKA_SHAPES(ZRAKA_COUNT)
 #undef ZRAKA_COUNT
   store->reals.resize(reals);
-  store->indices.resize(scene.shape_count());
+  store->indices.resize(2 * (scene.shape_count() + kKinds * kColumnPadding));
   R* real = store->reals.data();
   std::int32_t* index = store->indices.data();
 
@@ -127,36 +152,45 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
     real += kMaterialReals;
   }
 
-  std::int32_t id = 0;
+  std::int32_t first_slot = 0;
   const auto freeze_shapes = [&]<class Shape>(const std::vector<Object<Shape>>& objects,
-                                              FrozenShapes<R, Shape>& out) {
+                                              FrozenShapes<R, Shape>& out, std::size_t kind) {
     using Traits = ShapeTraits<Shape>;
+    const std::size_t room = objects.size() + kColumnPadding;
     R* column[Traits::kReals];
-    for (int k = 0; k < Traits::kReals; ++k) {
-      out.column[k] = column[k] = real;
-      real += objects.size();
-    }
-    out.material = index;
+    for (int k = 0; k < Traits::kReals; ++k, real += room) out.column[k] = column[k] = real;
+    std::int32_t* material = index;
+    std::int32_t* id = index + room;
+    index += 2 * room;
+    out.material = material;
+    out.id = id;
     out.count = static_cast<std::int32_t>(objects.size());
-    out.first_id = id;
-    id += out.count;
-    for (std::size_t i = 0; i < objects.size(); ++i) {
+    out.first_slot = first_slot;
+    first_slot += out.count;
+    for (std::size_t slot = 0; slot < objects.size(); ++slot) {
+      const std::size_t i =
+          hierarchy.order.empty() ? slot : static_cast<std::size_t>(hierarchy.order[kind][slot]);
       double numbers[Traits::kReals];
       Traits::freeze(objects[i].shape, frame, numbers);
-      for (int k = 0; k < Traits::kReals; ++k) column[k][i] = narrow<R>(numbers[k]);
-      *index++ = static_cast<std::int32_t>(objects[i].material);
+      for (int k = 0; k < Traits::kReals; ++k) column[k][slot] = narrow<R>(numbers[k]);
+      material[slot] = static_cast<std::int32_t>(objects[i].material);
+      id[slot] = out.first_slot + static_cast<std::int32_t>(i);
     }
   };
-#define ZRAKA_FREEZE(Type, plural) freeze_shapes(scene.plural, frozen.plural);
+#define ZRAKA_FREEZE(Type, plural) freeze_shapes(scene.plural, frozen.plural, kKindOf##Type);
   ZRAKA_SHAPES(ZRAKA_FREEZE)
 #undef ZRAKA_FREEZE
+  frozen.hierarchy = {hierarchy.nodes.empty() ? nullptr : hierarchy.nodes.data(),
+                      static_cast<std::int32_t>(hierarchy.nodes.size())};
 
   store->bytes = store->reals.size() * sizeof(R) + store->indices.size() * sizeof(std::int32_t) +
                  store->lights.size() * sizeof(FrozenLight<R>);
   return store;
 }
 
-template std::unique_ptr<FrozenStore<float>> freeze<float>(const Scene&, const Profile&);
-template std::unique_ptr<FrozenStore<double>> freeze<double>(const Scene&, const Profile&);
+template std::unique_ptr<FrozenStore<float>> freeze<float>(const Scene&, const Profile&,
+                                                           const Frame&, const BuiltHierarchy&);
+template std::unique_ptr<FrozenStore<double>> freeze<double>(const Scene&, const Profile&,
+                                                             const Frame&, const BuiltHierarchy&);
 
 }  // namespace zraka

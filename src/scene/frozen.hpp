@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "math/vec.hpp"
+#include "scene/hierarchy.hpp"
 #include "shapes/shapes.hpp"
 
 namespace zraka {
@@ -37,13 +38,28 @@ struct FrozenCamera {
   V3<R> first, right, down;
 };
 
-/// The shapes of one kind: each of its numbers in an array of its own.
+/// Number of each kind of shape, in the order of the list.
+enum Kind : std::int32_t {
+#define ZRAKA_KIND(Type, plural) kKindOf##Type,
+  ZRAKA_SHAPES(ZRAKA_KIND)
+#undef ZRAKA_KIND
+      kKinds
+};
+
+/// Columns have room for reads of this many values past their end.
+inline constexpr std::size_t kColumnPadding = 16;
+
+/// The shapes of one kind, in the order of the hierarchy's leaves: each of its numbers in an array
+/// of its own.
 template <class R, class Shape>
 struct FrozenShapes {
   const R* column[ShapeTraits<Shape>::kReals];
   const std::int32_t* material;
+  const std::int32_t* id;  ///< place in the scene as it was read, counted over all kinds; of equal
+                           ///< hits the least wins
   std::int32_t count;
-  std::int32_t first_id;  ///< id of its first primitive; ids number the primitives of all kinds
+  std::int32_t
+      first_slot;  ///< slots number the primitives of all kinds in the order of these arrays
 };
 
 template <class R>
@@ -57,6 +73,7 @@ struct FrozenScene {
 #define ZRAKA_STORE(Type, plural) FrozenShapes<R, Type> plural;
   ZRAKA_SHAPES(ZRAKA_STORE)
 #undef ZRAKA_STORE
+  Hierarchy hierarchy;
 };
 
 }  // namespace zraka

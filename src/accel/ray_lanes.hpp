@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays in lanes, as every acceleration structure takes them.
+#pragma once
+
+#include "math/lanes.hpp"
+#include "scene/frozen.hpp"
+#include "shapes/shapes.hpp"
+
+namespace zraka::ZRAKA_ISA {
+
+/// Farther than anything: the squares of lengths in the engine's frame stay finite.
+template <class R>
+inline constexpr R kFarAway = static_cast<R>(0x1p+100);
+
+/// Rays in lanes, and how far they have been found to be free.
+template <class L>
+struct RayLanes {
+  V3<typename L::F> origin, direction;
+  typename L::F t;     ///< nearest hit so far
+  typename L::I slot;  ///< its primitive, -1 for none
+};
+
+/// Calls function(shapes) for the kind of shapes that a number stands for.
+template <class R, class Function>
+ZRAKA_INLINE void with_kind(const FrozenScene<R>& scene, std::int32_t kind,
+                            const Function& function) {
+#define ZRAKA_IF(Type, plural) \
+  if (kind == kKindOf##Type) return function(scene.plural);
+  ZRAKA_SHAPES(ZRAKA_IF)
+#undef ZRAKA_IF
+}
+
+/// The place in the scene as it was read of a slot's primitive.
+template <class R>
+ZRAKA_INLINE std::int32_t id_of(const FrozenScene<R>& scene, std::int32_t slot) {
+#define ZRAKA_IF(Type, plural)                             \
+  if (slot - scene.plural.first_slot < scene.plural.count) \
+    return scene.plural.id[slot - scene.plural.first_slot];
+  ZRAKA_SHAPES(ZRAKA_IF)
+#undef ZRAKA_IF
+  return slot;
+}
+
+/// One shape for all lanes.
+template <class L, class Shape>
+ZRAKA_INLINE void broadcast_shape(const FrozenShapes<typename L::Real, Shape>& shapes,
+                                  std::int32_t i,
+                                  typename L::F (&out)[ShapeTraits<Shape>::kReals]) {
+  for (int k = 0; k < ShapeTraits<Shape>::kReals; ++k) out[k] = typename L::F(shapes.column[k][i]);
+}
+
+/// The shapes [i, i + kWidth), one a lane.
+template <class L, class Shape>
+ZRAKA_INLINE void load_shapes(const FrozenShapes<typename L::Real, Shape>& shapes, std::int32_t i,
+                              typename L::F (&out)[ShapeTraits<Shape>::kReals]) {
+  for (int k = 0; k < ShapeTraits<Shape>::kReals; ++k) out[k] = L::load(shapes.column[k] + i);
+}
+
+/// Tests one shape against the rays in lanes; a nearer hit, or an equal one of a lower id, replaces
+/// theirs.
+template <class L, class Shape>
+ZRAKA_INLINE void meet(const FrozenScene<typename L::Real>& scene,
+                       const FrozenShapes<typename L::Real, Shape>& shapes, std::int32_t i,
+                       RayLanes<L>& ray) {
+  using F = typename L::F;
+  F shape[ShapeTraits<Shape>::kReals];
+  broadcast_shape<L>(shapes, i, shape);
+  const F t = ShapeLanes<Shape, L>::intersect(shape, ray.origin, ray.direction);
+  auto nearer = both(t > F(0), t <= ray.t);
+  if (!any(nearer)) return;
+  const auto equal = both(nearer, t >= ray.t);
+  if (any(equal)) {
+    // Of equal hits the shape that was read first counts, in whatever order they are found.
+    const std::int32_t id = shapes.id[i];
+    std::int32_t slots[L::kWidth];
+    typename L::Real wins[L::kWidth];
+    L::store(ray.slot, slots);
+    for (std::size_t lane = 0; lane < L::kWidth; ++lane)
+      wins[lane] = slots[lane] < 0 || id < id_of(scene, slots[lane]) ? 1 : 0;
+    nearer = both(nearer, either(t<ray.t, L::load(wins)> F(0)));
+  }
+  ray.t = select(nearer, t, ray.t);
+  ray.slot = select(nearer, typename L::I(shapes.first_slot + i), ray.slot);
+}
+
+}  // namespace zraka::ZRAKA_ISA

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bounding volume hierarchy as the engine reads it: plain nodes of sixteen boxes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace zraka {
+
+/// Children of a node; also the most primitives of a leaf, which is one register of the widest set.
+inline constexpr int kNodeWidth = 16;
+
+/// Levels of nodes that a hierarchy may have.
+inline constexpr int kMaxNodeDepth = 64;
+
+/// Sixteen boxes in the engine's frame, a column for each side; boxes of missing children are empty
+/// (lower above upper). Boxes are larger than what they hold by what a primitive's intersection can
+/// err, so that no ray that meets a primitive by its arithmetic can miss the box by its own.
+struct alignas(64) Node {
+  float lower_x[kNodeWidth], lower_y[kNodeWidth], lower_z[kNodeWidth];
+  float upper_x[kNodeWidth], upper_y[kNodeWidth], upper_z[kNodeWidth];
+  /// An inner child: the index of its node. A leaf: its first primitive, among those of its kind.
+  std::int32_t child[kNodeWidth];
+  /// An inner child: 0. A leaf: its number of primitives + 32·kind.
+  std::int32_t leaf[kNodeWidth];
+};
+
+/// An empty hierarchy (no nodes) means that the shapes are few enough to be asked one by one.
+struct Hierarchy {
+  const Node* nodes = nullptr;  ///< the root is the first
+  std::int32_t node_count = 0;
+};
+
+/// A primitive as the builder sees it: its box, already enlarged, and which one it is among those
+/// of its kind.
+struct BuildRef {
+  float lower[3];
+  std::int32_t index;
+  float upper[3];
+  std::int32_t kind;
+};
+
+/// What the builder makes of all the references.
+struct BuiltHierarchy {
+  std::vector<Node> nodes;
+  /// For each kind its primitives in the order of the leaves; empty: in the order that they were
+  /// read.
+  std::vector<std::vector<std::int32_t>> order;
+};
+
+}  // namespace zraka

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// The open cone, frustum and cylinder.
+#pragma once
+
+#include "shapes/triangle.hpp"
+
+namespace zraka {
+
+template <>
+struct ShapeTraits<Cone> {
+  static constexpr const char* kName = "cone";
+  /// Middle of the axis; unit axis; radius at the middle and its growth along the axis; half the
+  /// axis' length.
+  static constexpr int kReals = 9;
+
+  /// Around both end discs; a disc of radius r and unit normal n reaches r·√(1 - n²) along each
+  /// axis.
+  static Box bounds(const Cone& s) {
+    const Vec3 axis{s.apex.x - s.base.x, s.apex.y - s.base.y, s.apex.z - s.base.z};
+    const double length2 = axis.x * axis.x + axis.y * axis.y + axis.z * axis.z;
+    const auto reach = [&](double n) {
+      return length2 > 0 ? std::sqrt(std::fmax(0.0, 1 - n * n / length2)) : 1.0;
+    };
+    const Vec3 r{reach(axis.x), reach(axis.y), reach(axis.z)};
+    Box box;
+    const auto include = [&](const Vec3& c, double radius) {
+      box.include({{c.x - radius * r.x, c.y - radius * r.y, c.z - radius * r.z},
+                   {c.x + radius * r.x, c.y + radius * r.y, c.z + radius * r.z}});
+    };
+    include(s.base, s.base_radius);
+    include(s.apex, s.apex_radius);
+    return box;
+  }
+
+  static const char* check(const Cone& s) {
+    if (!finite(s.base) || !finite(s.apex)) return "an end is not finite";
+    if (!finite(s.base_radius) || !finite(s.apex_radius) || s.base_radius < 0 ||
+        s.apex_radius < 0 || !(s.base_radius + s.apex_radius > 0))
+      return "its radii are not finite numbers of 0 or more, one of them more";
+    if (s.base == s.apex) return "its ends are one point";
+    return nullptr;
+  }
+
+  static void freeze(const Cone& s, const Frame& frame, double (&out)[kReals]) {
+    const Vec3 axis{s.apex.x - s.base.x, s.apex.y - s.base.y, s.apex.z - s.base.z};
+    const double length = std::sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z);
+    put(frame.point({s.base.x / 2 + s.apex.x / 2, s.base.y / 2 + s.apex.y / 2,
+                     s.base.z / 2 + s.apex.z / 2}),
+        out);
+    put({axis.x / length, axis.y / length, axis.z / length}, out + 3);
+    out[6] = frame.length((s.base_radius + s.apex_radius) / 2);
+    out[7] = (s.apex_radius - s.base_radius) / length;
+    out[8] = frame.length(length / 2);
+  }
+};
+
+#ifdef ZRAKA_ISA
+namespace ZRAKA_ISA {
+
+template <class L>
+struct ShapeLanes<Cone, L> {
+  using F = typename L::F;
+
+  /// With y along the axis from its middle and p across, |p|² = (r + k·y)²; a quadratic in the
+  /// distance from the ray's point nearest to the middle, so that its numbers are of the cone's
+  /// size, not of the origin's distance.
+  static ZRAKA_INLINE F intersect(const F (&s)[9], const V3<F>& origin, const V3<F>& direction) {
+    const V3<F> axis{s[3], s[4], s[5]};
+    const V3<F> from_middle{origin.x - s[0], origin.y - s[1], origin.z - s[2]};
+    const F shift = -dot(from_middle, direction);
+    const V3<F> at = from_middle + direction * shift;
+    const F y = dot(at, axis), dy = dot(direction, axis);
+    const V3<F> p = at - axis * y, dp = direction - axis * dy;
+    const F radius = s[6] + s[7] * y, dr = s[7] * dy;
+    const F a = dot(dp, dp) - dr * dr;
+    const F b = dot(p, dp) - radius * dr;
+    const F c = dot(p, p) - radius * radius;
+    const F discriminant = b * b - a * c;
+    if (!any(discriminant >= F(0.0f))) return F(-1.0f);
+    const F root = sqrt(max(discriminant, F(0.0f)));
+    const F q = -(b + select(b >= F(0.0f), root, -root));
+    // The roots are q/a and c/q; the sides' ends and the mirror cone beyond the tip are cut off.
+    const F far(0x1p+60f);
+    const auto valid = [&](const F& x) {
+      const F height = y + x * dy;
+      const auto on_side = both(abs(height) <= s[8], s[6] + s[7] * height >= F(0.0f));
+      const auto ahead = x + shift > F(0.0f);
+      return select(both(both(on_side, ahead), discriminant >= F(0.0f)), x + shift, far);
+    };
+    const F nearest = min(valid(q / a), valid(c / q));
+    return select(nearest < far, nearest, F(-1.0f));
+  }
+
+  static ZRAKA_INLINE SurfacePoint<L> surface(const F (&s)[9], const V3<F>&, const V3<F>& direction,
+                                              const V3<F>& point) {
+    const V3<F> axis{s[3], s[4], s[5]};
+    const V3<F> from_middle{point.x - s[0], point.y - s[1], point.z - s[2]};
+    const F y = dot(from_middle, axis);
+    const V3<F> across = from_middle - axis * y;
+    const F away = sqrt(dot(across, across));
+    const V3<F> out = across * (F(1.0f) / away);
+    const F slope = F(1.0f) / sqrt(F(1.0f) + s[7] * s[7]);
+    const V3<F> normal = (out - axis * s[7]) * slope;
+    const V3<F> on_surface = point - normal * ((away - (s[6] + s[7] * y)) * slope);
+    const auto largest = [](const V3<F>& v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); };
+    const F magnitude = largest(on_surface) + (largest(from_middle) + s[6]);
+    return {on_surface, normal, magnitude * F(sizeof(typename L::Real) == 4 ? 0x1p-20f : 0x1p-49f),
+            dot(normal, direction) > F(0.0f)};
+  }
+};
+
+}  // namespace ZRAKA_ISA
+#endif
+
+}  // namespace zraka
