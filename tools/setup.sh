@@ -55,14 +55,15 @@ check_compiler() {
     give_up "g++ $version is too old: 12 or newer is needed; install one and name it with CXX=g++-12."
 }
 
-# build PRESET [TARGET…]
+# build PRESET TESTS [TARGET…]: with TESTS=ON also the tests, which need packages of their own.
 build() {
-  local preset=$1 log=build/$1/build.log
-  shift
+  local preset=$1 tests=$2 log=build/$1/build.log
+  shift 2
   mkdir -p "build/$preset"
-  if [ ! -f "build/$preset/build.ninja" ]; then
+  if [ ! -f "build/$preset/build.ninja" ] ||
+    { [ "$tests" = ON ] && ! grep -q '^ZRAKA_TESTS:BOOL=ON' "build/$preset/CMakeCache.txt"; }; then
     [ "$preset" = clang ] || check_compiler
-    cmake --preset "$preset" >"$log" 2>&1 || {
+    cmake --preset "$preset" -DZRAKA_TESTS="$tests" >"$log" 2>&1 || {
       cat "$log" >&2
       rm -f "build/$preset/CMakeCache.txt"
       give_up "CMake could not prepare the build; its words are above."

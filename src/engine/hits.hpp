@@ -19,8 +19,7 @@ ZRAKA_INLINE RayLanes<L> load_rays(const RayArrays<R>& rays, std::size_t i) {
 /// Finds what each ray of the batch meets, lists those that meet something in hits.ray, and gives
 /// the others the background's colour.
 template <class L, class R = typename L::Real>
-void trace_nearest(const FrozenScene<R>& scene, Travel travel, Level<R>& level,
-                   Scratch<R>& scratch) {
+void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scratch) {
   using F = typename L::F;
   using I = typename L::I;
   const auto begin = static_cast<std::size_t>(level.done);
@@ -29,7 +28,7 @@ void trace_nearest(const FrozenScene<R>& scene, Travel travel, Level<R>& level,
   for (std::size_t i = 0; i < n; i += L::kWidth) {
     RayLanes<L> ray = load_rays<L>(level.rays, begin + i);
     const auto active = L::first(n - i);
-    find_nearest<L>(scene, travel, active, ray);
+    find_nearest<L>(scene, active, ray);
     const auto met = both(ray.slot >= I(0), active);
     L::store(ray.t, scratch.t + i);
     L::store(ray.slot, scratch.slot + i);

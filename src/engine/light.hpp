@@ -95,7 +95,7 @@ void trace_feelers(const FrozenScene<R>& scene, std::size_t feelers, Scratch<R>&
         {L::load(scratch.fdx + i), L::load(scratch.fdy + i), L::load(scratch.fdz + i)},
         L::load(scratch.fdistance + i),
         typename L::I(-1)};
-    const auto blocked = find_blocked<L>(scene, Travel::apart, L::first(feelers - i), ray);
+    const auto blocked = find_blocked<L>(scene, L::first(feelers - i), ray);
     if (any(blocked)) L::scatter(F(0), blocked, scratch.lit, L::load(scratch.feeler_hit + i));
   }
 }

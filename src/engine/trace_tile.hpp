@@ -20,8 +20,7 @@ void trace_batch(const FrozenScene<R>& scene, const TraceSettings& settings, Lev
   const std::int32_t left = level.ray_count - level.done;
   level.in_batch = left < workspace.batch ? left : workspace.batch;
 
-  const Travel travel = &level == workspace.levels ? Travel::together : Travel::apart;
-  trace_nearest<L>(scene, travel, level, workspace.scratch);
+  trace_nearest<L>(scene, level, workspace.scratch);
   counts.hits += static_cast<std::uint64_t>(level.hit_count);
   find_surfaces<L>(scene, level, workspace.scratch);
   light_hits<L>(scene, settings, level, workspace.scratch, counts);

@@ -44,6 +44,7 @@ struct ScalarLanes {
     if (m) *p = v;
   }
   static ZRAKA_INLINE M first(std::size_t n) { return n > 0; }
+  static ZRAKA_INLINE M from_bits(std::uint32_t b) { return (b & 1) != 0; }
   static ZRAKA_INLINE I iota(std::int32_t start) { return start; }
   static ZRAKA_INLINE F to_real(I v) { return static_cast<R>(v); }
 };
@@ -93,6 +94,11 @@ ZRAKA_INLINE double min(double a, double b) {
 }
 ZRAKA_INLINE double max(double a, double b) {
   return a > b ? a : b;
+}
+/// a·b - c, rounded once or twice: for the tests of boxes only, which may differ between
+/// instruction sets.
+ZRAKA_INLINE double roughly_mul_sub(double a, double b, double c) {
+  return a * b - c;
 }
 ZRAKA_INLINE double abs(double a) {
   return __builtin_fabs(a);

@@ -112,11 +112,26 @@ ZRAKA_INLINE IndexLanes select(MaskLanes m, IndexLanes a, IndexLanes b) {
 ZRAKA_INLINE FloatLanes sqrt(FloatLanes a) {
   return hn::Sqrt(a.v);
 }
+#if HWY_ARCH_X86
+// The registers' own: a < b ? a : b, also for NaN and for zeros of both signs.
+ZRAKA_INLINE FloatLanes min(FloatLanes a, FloatLanes b) {
+  return hn::Min(a.v, b.v);
+}
+ZRAKA_INLINE FloatLanes max(FloatLanes a, FloatLanes b) {
+  return hn::Max(a.v, b.v);
+}
+#else
 ZRAKA_INLINE FloatLanes min(FloatLanes a, FloatLanes b) {
   return select(a < b, a, b);
 }
 ZRAKA_INLINE FloatLanes max(FloatLanes a, FloatLanes b) {
   return select(a > b, a, b);
+}
+#endif
+/// a·b - c, rounded once or twice: for the tests of boxes only, which may differ between
+/// instruction sets.
+ZRAKA_INLINE FloatLanes roughly_mul_sub(FloatLanes a, FloatLanes b, FloatLanes c) {
+  return hn::MulSub(a.v, b.v, c.v);
 }
 ZRAKA_INLINE FloatLanes abs(FloatLanes a) {
   return hn::Abs(a.v);
@@ -175,6 +190,11 @@ struct WideLanes {
     hn::CompressStore(v.v, hn::RebindMask(wide::di, m.v), wide::di, p);
   }
   static ZRAKA_INLINE M first(std::size_t n) { return {hn::FirstN(wide::d, n)}; }
+  static ZRAKA_INLINE M from_bits(std::uint32_t b) {
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(b & 0xFF),
+                                   static_cast<std::uint8_t>(b >> 8 & 0xFF)};
+    return {hn::LoadMaskBits(wide::d, bytes)};
+  }
   static ZRAKA_INLINE I iota(std::int32_t start) { return hn::Iota(wide::di, start); }
   static ZRAKA_INLINE F to_real(I v) { return hn::ConvertTo(wide::d, v.v); }
 };
