@@ -7,6 +7,8 @@
 #include <limits>
 #include <zraka/image.hpp>
 
+#include "image/quantize.hpp"
+
 namespace zraka {
 namespace {
 
@@ -36,6 +38,17 @@ TEST(Quantize, FollowsTheSrgbCurve) {
     const double want =
         linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
     EXPECT_NEAR(quantize(static_cast<float>(linear), Transfer::srgb, 16), want * 65535, 1.0);
+  }
+}
+
+TEST(Quantize, DoesRowsLikeSingleValues) {
+  std::vector<float> values = {-1, 0, 1, 2, std::nanf(""), 1e-30f, 0.99999994f};
+  for (int i = 0; i < 70000; ++i) values.push_back(static_cast<float>(i) / 65535.0f);
+  std::vector<unsigned char> row(values.size());
+  for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
+    RowQuantizer(transfer, 8).row(values.data(), values.size(), row.data());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      ASSERT_EQ(row[i], quantize(values[i], transfer, 8)) << values[i];
   }
 }
 

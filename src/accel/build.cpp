@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kBins = 16;
 /// Ranges up to this size are leaves: one vector of them costs hardly more than one.
-constexpr std::size_t kLeafSize = 8;
+constexpr std::size_t kLeafSize = 4;
 /// Ranges from this size on are built by a task of their own.
 constexpr std::size_t kTaskSize = 4096;
 /// Below this many levels of nodes ranges are halved, whatever the heuristic says: that bounds the

@@ -67,10 +67,16 @@ void nearest_in_hierarchy(const FrozenScene<R>& scene, typename L::M active, Ray
   ray.slot = L::load(slot);
 }
 
+/// The leaf that blocked a ray last: what throws a shadow on one point mostly throws it on its
+/// neighbours too.
+struct LastBlocker {
+  std::int32_t child = 0, leaf = 0;
+};
+
 /// Which of the wanted rays meet anything nearer than their t.
 template <class L, class R = typename L::Real>
 typename L::M blocked_in_hierarchy(const FrozenScene<R>& scene, typename L::M wanted,
-                                   RayLanes<L> ray) {
+                                   LastBlocker& last, RayLanes<L> ray) {
   using F = typename L::F;
   const Bundle<L> bundle(ray, wanted);
   ray.t = select(wanted, ray.t, F(-1));
@@ -80,6 +86,7 @@ typename L::M blocked_in_hierarchy(const FrozenScene<R>& scene, typename L::M wa
   R farthest = max_of(ray.t);
   BundleStack<L> stack;
   stack.push({0, 0, 0, left});
+  if (last.leaf != 0) stack.push({0, last.child, last.leaf, left});
   while (!stack.empty() && left != 0) {
     const BundleEntry<R> entry = stack.pop();
     const std::uint32_t rays = entry.rays & left;
@@ -112,6 +119,7 @@ typename L::M blocked_in_hierarchy(const FrozenScene<R>& scene, typename L::M wa
           });
     }
     if (left != before) {
+      if (entry.leaf != 0) last = {entry.child, entry.leaf};
       each_lane(before & ~left, [&](std::size_t i) { t[i] = -1; });
       ray.t = L::load(t);
       farthest = max_of(ray.t);
@@ -134,9 +142,10 @@ ZRAKA_INLINE void find_nearest(const FrozenScene<typename L::Real>& scene, typen
 /// has.
 template <class L>
 ZRAKA_INLINE typename L::M find_blocked(const FrozenScene<typename L::Real>& scene,
-                                        typename L::M wanted, const RayLanes<L>& ray) {
+                                        typename L::M wanted, LastBlocker& last,
+                                        const RayLanes<L>& ray) {
   if (scene.hierarchy.nodes == nullptr) return blocked_in_list<L>(scene, ray, wanted);
-  return blocked_in_hierarchy<L>(scene, wanted, ray);
+  return blocked_in_hierarchy<L>(scene, wanted, last, ray);
 }
 
 }  // namespace zraka::ZRAKA_ISA

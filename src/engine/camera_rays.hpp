@@ -18,32 +18,43 @@ ZRAKA_INLINE V3<typename L::F> broadcast(const V3<R>& v) {
   return {F(v.x), F(v.y), F(v.z)};
 }
 
-/// Row by row: ray row·width + column belongs to that pixel of the tile.
+/// The order of a tile's rays: squares of 4×4 pixels row by row, so that rays in neighbouring lanes
+/// stay together through the scene. Calls function(column, row) for each pixel of the tile.
+template <class Function>
+ZRAKA_INLINE void each_pixel(const TileRect& tile, const Function& function) {
+  constexpr std::int32_t kSide = 4;
+  for (std::int32_t top = 0; top < tile.height; top += kSide)
+    for (std::int32_t left = 0; left < tile.width; left += kSide)
+      for (std::int32_t y = top; y < tile.height && y < top + kSide; ++y)
+        for (std::int32_t x = left; x < tile.width && x < left + kSide; ++x) function(x, y);
+}
+
+/// A ray through each pixel, in the order of each_pixel().
 template <class L, class R = typename L::Real>
 void make_camera_rays(const FrozenCamera<R>& camera, const TileRect& tile, Level<R>& level) {
   using F = typename L::F;
+  // The pixels' places wait where the directions will stand.
+  std::size_t count = 0;
+  each_pixel(tile, [&](std::int32_t x, std::int32_t y) {
+    level.rays.dx[count] = static_cast<R>(tile.x + x);
+    level.rays.dy[count] = static_cast<R>(tile.y + y);
+    ++count;
+  });
   const V3<F> eye = broadcast<L>(camera.eye);
   const V3<F> first = broadcast<L>(camera.first);
   const V3<F> right = broadcast<L>(camera.right);
   const V3<F> down = broadcast<L>(camera.down);
-  std::size_t out = 0;
-  for (std::int32_t y = 0; y < tile.height; ++y, out += static_cast<std::size_t>(tile.width)) {
-    const F row(static_cast<R>(tile.y + y));
-    const V3<F> start = first + down * row;
-    // Whole vectors; what a row writes past its end, the next row overwrites.
-    for (std::int32_t x = 0; x < tile.width; x += static_cast<std::int32_t>(L::kWidth)) {
-      const F column = L::to_real(L::iota(tile.x + x));
-      const V3<F> direction = normalized(start + right * column);
-      const std::size_t i = out + static_cast<std::size_t>(x);
-      L::store(eye.x, level.rays.ox + i);
-      L::store(eye.y, level.rays.oy + i);
-      L::store(eye.z, level.rays.oz + i);
-      L::store(direction.x, level.rays.dx + i);
-      L::store(direction.y, level.rays.dy + i);
-      L::store(direction.z, level.rays.dz + i);
-    }
+  for (std::size_t i = 0; i < count; i += L::kWidth) {
+    const F column = L::load(level.rays.dx + i), row = L::load(level.rays.dy + i);
+    const V3<F> direction = normalized((first + down * row) + right * column);
+    L::store(eye.x, level.rays.ox + i);
+    L::store(eye.y, level.rays.oy + i);
+    L::store(eye.z, level.rays.oz + i);
+    L::store(direction.x, level.rays.dx + i);
+    L::store(direction.y, level.rays.dy + i);
+    L::store(direction.z, level.rays.dz + i);
   }
-  level.ray_count = static_cast<std::int32_t>(out);
+  level.ray_count = static_cast<std::int32_t>(count);
 }
 
 }  // namespace zraka::ZRAKA_ISA

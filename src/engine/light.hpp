@@ -89,13 +89,14 @@ std::size_t make_feelers(const FrozenLight<R>& light, std::size_t n, Scratch<R>&
 template <class L, class R = typename L::Real>
 void trace_feelers(const FrozenScene<R>& scene, std::size_t feelers, Scratch<R>& scratch) {
   using F = typename L::F;
+  LastBlocker last;
   for (std::size_t i = 0; i < feelers; i += L::kWidth) {
     const RayLanes<L> ray{
         {L::load(scratch.fox + i), L::load(scratch.foy + i), L::load(scratch.foz + i)},
         {L::load(scratch.fdx + i), L::load(scratch.fdy + i), L::load(scratch.fdz + i)},
         L::load(scratch.fdistance + i),
         typename L::I(-1)};
-    const auto blocked = find_blocked<L>(scene, L::first(feelers - i), ray);
+    const auto blocked = find_blocked<L>(scene, L::first(feelers - i), last, ray);
     if (any(blocked)) L::scatter(F(0), blocked, scratch.lit, L::load(scratch.feeler_hit + i));
   }
 }

@@ -66,15 +66,14 @@ void trace_tile(const FrozenScene<R>& scene, const TraceSettings& settings, cons
   trace_trees<L>(scene, settings, workspace, counts);
 
   std::size_t i = 0;
-  for (std::int32_t y = 0; y < tile.height; ++y) {
+  each_pixel(tile, [&](std::int32_t x, std::int32_t y) {
     float* out = pixels + 3 * (static_cast<std::size_t>(tile.y + y) * stride +
-                               static_cast<std::size_t>(tile.x));
-    for (std::int32_t x = 0; x < tile.width; ++x, ++i) {
-      *out++ = static_cast<float>(top.rays.r[i]);
-      *out++ = static_cast<float>(top.rays.g[i]);
-      *out++ = static_cast<float>(top.rays.b[i]);
-    }
-  }
+                               static_cast<std::size_t>(tile.x + x));
+    out[0] = static_cast<float>(top.rays.r[i]);
+    out[1] = static_cast<float>(top.rays.g[i]);
+    out[2] = static_cast<float>(top.rays.b[i]);
+    ++i;
+  });
 }
 
 }  // namespace zraka::ZRAKA_ISA

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/quantize.hpp"
 
+#include <bit>
+#include <limits>
+
 #define ZRAKA_ISA isa_plain
 #include "math/power.hpp"
 
@@ -22,8 +25,34 @@ std::uint16_t quantize(float value, Transfer transfer, int bits) {
   return static_cast<std::uint16_t>(v * (bits == 16 ? 65535 : 255) + 0.5);
 }
 
+namespace {
+
+constexpr std::uint32_t kLeastBits = 0x39800000;  // 2^-12
+constexpr int kStartShift = 23 - 5;               // 32 starts for each power of two
+
+}  // namespace
+
+RowQuantizer::RowQuantizer(Transfer transfer, int bits) : transfer_(transfer), bits_(bits) {
+  if (bits != 8) return;
+  // quantize() grows with its value, and the bits of positive floats grow with the float.
+  for (int v = 1; v < 256; ++v) {
+    std::uint32_t low = 0, high = 0x3F800000;  // 0 is stored as less than v, 1 is not
+    while (high - low > 1) {
+      const std::uint32_t middle = low + (high - low) / 2;
+      (quantize(std::bit_cast<float>(middle), transfer, 8) < v ? low : high) = middle;
+    }
+    least_[static_cast<std::size_t>(v)] = std::bit_cast<float>(high);
+  }
+  least_[256] = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < start_.size(); ++i) {
+    const auto leading =
+        std::bit_cast<float>(kLeastBits + (static_cast<std::uint32_t>(i) << kStartShift));
+    start_[i] = static_cast<unsigned char>(quantize(leading, transfer, 8));
+  }
+}
+
 void RowQuantizer::row(const float* values, std::size_t count, unsigned char* out) const {
-  if (transfer_ == Transfer::linear && bits_ == 8) {  // the loop that the compiler can make wide
+  if (bits_ == 8 && transfer_ == Transfer::linear) {  // the loop that the compiler can make wide
     for (std::size_t i = 0; i < count; ++i) {
       const float at_least_0 = values[i] > 0 ? values[i] : 0.0f;
       const double v = at_least_0 < 1 ? static_cast<double>(at_least_0) : 1.0;
@@ -32,9 +61,17 @@ void RowQuantizer::row(const float* values, std::size_t count, unsigned char* ou
     return;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const std::uint16_t v = quantize(values[i], transfer_, bits_);
-    if (bits_ == 16) *out++ = static_cast<unsigned char>(v >> 8);
-    *out++ = static_cast<unsigned char>(v & 0xFF);
+    if (bits_ == 16) {
+      const std::uint16_t v = quantize(values[i], transfer_, bits_);
+      *out++ = static_cast<unsigned char>(v >> 8);
+      *out++ = static_cast<unsigned char>(v & 0xFF);
+      continue;
+    }
+    const float value = values[i] > 0 ? (values[i] < 1 ? values[i] : 1.0f) : 0.0f;
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    std::size_t v = bits < kLeastBits ? 0 : start_[(bits - kLeastBits) >> kStartShift];
+    while (value >= least_[v + 1]) ++v;
+    *out++ = static_cast<unsigned char>(v);
   }
 }
 
