@@ -75,6 +75,12 @@ Scene moved(Scene scene, double by, double scale) {
     point(sphere.shape.center);
     sphere.shape.radius *= scale;
   }
+  for (auto& t : scene.triangles) point(t.shape.a), point(t.shape.b), point(t.shape.c);
+  for (auto& t : scene.smooth_triangles) point(t.shape.a), point(t.shape.b), point(t.shape.c);
+  for (auto& cone : scene.cones) {
+    point(cone.shape.base), point(cone.shape.apex);
+    cone.shape.base_radius *= scale, cone.shape.apex_radius *= scale;
+  }
   return scene;
 }
 

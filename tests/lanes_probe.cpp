@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lanes_probe.hpp"
 
+#include <algorithm>
+
+#include "accel/traverse.hpp"
 #include "math/power.hpp"
 #include "shapes/shapes.hpp"
 
@@ -56,11 +59,50 @@ void sphere(const float* origins, const float* directions, const float* spheres,
   }
 }
 
+[[maybe_unused]] const FrozenScene<float>* own(const FrozenScene<float>* f,
+                                               const FrozenScene<double>*, float) {
+  return f;
+}
+[[maybe_unused]] const FrozenScene<double>* own(const FrozenScene<float>*,
+                                                const FrozenScene<double>* d, double) {
+  return d;
+}
+
+void trace(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
+           const ProbeRay* rays, ProbeHit* hits, std::size_t count) {
+  const FrozenScene<L::Real>* scene = own(floats, doubles, L::Real());
+  for (std::size_t first = 0; first < count; first += L::kWidth) {
+    L::Real o[3][L::kWidth] = {}, d[3][L::kWidth] = {}, limit[L::kWidth] = {};
+    const std::size_t n = std::min(L::kWidth, count - first);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        o[k][i] = static_cast<L::Real>(rays[first + i].origin[k]);
+        d[k][i] = static_cast<L::Real>(rays[first + i].direction[k]);
+      }
+      limit[i] = static_cast<L::Real>(rays[first + i].limit);
+    }
+    RayLanes<L> ray{{L::load(o[0]), L::load(o[1]), L::load(o[2])},
+                    {L::load(d[0]), L::load(d[1]), L::load(d[2])},
+                    L::load(limit),
+                    L::I(-1)};
+    LastBlocker last;
+    const std::uint32_t blocked = bits(find_blocked<L>(*scene, L::first(n), last, ray));
+    find_nearest<L>(*scene, L::first(n), ray);
+    L::Real t[L::kWidth];
+    std::int32_t slot[L::kWidth];
+    L::store(ray.t, t);
+    L::store(ray.slot, slot);
+    for (std::size_t i = 0; i < n; ++i)
+      hits[first + i] = {static_cast<double>(t[i]), slot[i] < 0 ? -1 : id_of(*scene, slot[i]),
+                         (blocked >> i & 1) != 0};
+  }
+}
+
 }  // namespace
 
 LanesProbe probe();
 LanesProbe probe() {
-  return {{}, L::kWidth, power_of, sphere};
+  return {{}, L::kWidth, power_of, sphere, trace};
 }
 
 }  // namespace zraka::ZRAKA_ISA

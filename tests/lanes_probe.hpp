@@ -6,7 +6,19 @@
 #include <vector>
 #include <zraka/render.hpp>
 
+#include "scene/frozen.hpp"
+
 namespace zraka {
+
+struct ProbeRay {
+  double origin[3], direction[3];  // in the engine's frame; unit length
+  double limit;                    // hits beyond do not count
+};
+struct ProbeHit {
+  double t;         // the limit where nothing is met
+  std::int32_t id;  // place in the scene as it was read, over all kinds; -1: nothing
+  bool blocked;     // what a feeler says
+};
 
 struct LanesProbe {
   Isa isa;
@@ -15,6 +27,10 @@ struct LanesProbe {
   /// Rays of origin and direction (3 numbers each) against one sphere each (4 numbers); distances.
   void (*sphere)(const float* origins, const float* directions, const float* spheres, float* t,
                  std::size_t count);
+  /// Hits of rays in a frozen scene, through its hierarchy if it has one: of floats, but of doubles
+  /// for the oracle.
+  void (*trace)(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
+                const ProbeRay* rays, ProbeHit* hits, std::size_t count);
 };
 
 /// Those that this machine can run; the oracle last.

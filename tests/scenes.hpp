@@ -51,6 +51,36 @@ inline Scene tangled_scene(std::uint32_t resolution = 100) {
   return scene;
 }
 
+/// Shapes of all kinds, matt, mirrors and glass.
+inline Scene mixed_scene(std::uint32_t resolution = 100) {
+  Scene scene = lab_scene(resolution);
+  scene.lights.push_back({{-3, 1, 0}, {0.3, 0.5, 0.9}});
+  std::mt19937 random(9);
+  const auto unit = [&] { return static_cast<double>(random() % 1000) / 1000; };
+  const auto near = [&](const Vec3& v, double by) {
+    const double x = unit(), y = unit(), z = unit();
+    return Vec3{v.x + by * (x - 0.5), v.y + by * (y - 0.5), v.z + by * (z - 0.5)};
+  };
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 at = near({0, 0, -2.5}, 3), b = near(at, 1), c = near(at, 1);
+    const auto material = static_cast<std::uint32_t>(scene.materials.size());
+    const double red = unit(), green = unit(), blue = unit();
+    scene.materials.push_back({.diffuse = {red, green, blue},
+                               .specular = {0.4, 0.4, 0.4},
+                               .shininess = 30,
+                               .reflection = i % 3 == 0 ? 0.4 : 0,
+                               .refraction = i % 5 == 0 ? 0.7 : 0,
+                               .refractive = 1.3});
+    if (i % 4 == 0) scene.spheres.push_back({{at, 0.05 + 0.2 * unit()}, material});
+    if (i % 4 == 1) scene.triangles.push_back({{at, b, c}, material});
+    if (i % 4 == 2)
+      scene.smooth_triangles.push_back(
+          {{at, b, c, {0.3, 0, 1}, {0, 0.2, 1}, {-0.3, 0.1, 1}}, material});
+    if (i % 4 == 3) scene.cones.push_back({{at, 0.1, b, 0.1 * unit()}, material});
+  }
+  return scene;
+}
+
 /// The project's own scenes, and some that are made here.
 inline std::vector<NamedScene> test_scenes(std::uint32_t resolution = 200) {
   std::vector<NamedScene> scenes;
@@ -60,6 +90,7 @@ inline std::vector<NamedScene> test_scenes(std::uint32_t resolution = 200) {
     scenes.back().scene.resolution = {resolution, resolution};
   }
   scenes.push_back({"tangled", tangled_scene(resolution)});
+  scenes.push_back({"mixed", mixed_scene(resolution)});
   Scene other_eye = tangled_scene(resolution);
   other_eye.camera.eye = {0.7, -0.4, 3};
   other_eye.camera.window_right = {3, 0, 0};

@@ -44,11 +44,10 @@ nlohmann::ordered_json json_of(const Vec3& v) {
 }
 
 void print_json(const Scene& scene, const Facts& facts) {
-  nlohmann::ordered_json json = {
-      {"format", scene.format},
-      {"profile", scene.default_profile == ProfileName::lab ? "lab" : "physical"},
-      {"resolution", {scene.resolution.width, scene.resolution.height}},
-      {"eye", json_of(scene.camera.eye)}};
+  nlohmann::ordered_json json = {{"format", scene.format},
+                                 {"profile", name_of(scene.default_profile)},
+                                 {"resolution", {scene.resolution.width, scene.resolution.height}},
+                                 {"eye", json_of(scene.camera.eye)}};
   json["lights"] = nlohmann::json::array();
   for (const PointLight& light : scene.lights) json["lights"].push_back(json_of(light.position));
 #define ZRAKA_COUNT(Type, plural) json["shapes"][ShapeTraits<Type>::kName] = scene.plural.size();
@@ -68,7 +67,7 @@ std::string text_of(const Vec3& v) {
 
 void print_text(const Scene& scene, const Facts& facts) {
   fmt::print("format      {}, drawn with the {} profile\n", scene.format,
-             scene.default_profile == ProfileName::lab ? "lab" : "physical");
+             name_of(scene.default_profile));
   fmt::print("picture     {} × {} pixels\n", scene.resolution.width, scene.resolution.height);
   fmt::print("eye         {}\n", text_of(scene.camera.eye));
   for (const PointLight& light : scene.lights)

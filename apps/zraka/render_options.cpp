@@ -36,10 +36,12 @@ void RenderWords::add_to(CLI::App& command) {
       .add_option("--max-depth", max_depth, "levels of rays after those from the eye (default 4)")
       ->check(CLI::Range(0, kMaxDepth));
   command
-      .add_option("--profile", profile,
-                  "lab (the course's rules, default for input.txt) or physical (optics' rules)")
-      ->check(one_of("lab or physical",
-                     [](const std::string& word) { return word == "lab" || word == "physical"; }));
+      .add_option(
+          "--profile", profile,
+          "lab (the course's rules, default for input.txt), physical (optics' rules, default for "
+          "all else) or spd (the Standard Procedural Databases' rules for counting rays)")
+      ->check(one_of("lab, physical or spd",
+                     [](const std::string& word) { return profile_named(word).has_value(); }));
   command
       .add_option("--threads", threads, "how many threads; 0, the default, is all that there are")
       ->check(CLI::Range(0, kMaxThreads));
@@ -78,9 +80,7 @@ Result<Scene> RenderWords::load() const {
 
 RenderOptions RenderWords::options(const Scene& loaded) const {
   RenderOptions options;
-  const ProfileName name = profile == "lab"        ? ProfileName::lab
-                           : profile == "physical" ? ProfileName::physical
-                                                   : loaded.default_profile;
+  const ProfileName name = profile_named(profile).value_or(loaded.default_profile);
   options.profile = profile_of(name);
   options.max_depth = max_depth;
   options.threads = threads;

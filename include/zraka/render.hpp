@@ -35,9 +35,11 @@ struct Terms {
 };
 Terms terms_of(Stage stage);
 
-/// What the two profiles differ in; profile_of() holds the only table.
+/// What the profiles differ in; profile_of() holds the only table.
 struct Profile {
-  bool pixel_centers = true;    ///< rays through pixel centres, else through upper left corners
+  bool pixel_centers = true;  ///< rays through pixel centres, else through upper left corners
+  /// One ray more in each direction, and a pixel is the mean of its four corners.
+  bool average_corners = false;
   bool clamp_levels = false;    ///< each component clamped to 0…1 at every level of the ray tree
   bool index_is_ratio = false;  ///< Material::refractive is n1/n2 on entry, else the inside's index
   bool mirror_when_total =
@@ -45,6 +47,8 @@ struct Profile {
   Transfer transfer = Transfer::srgb;
 };
 Profile profile_of(ProfileName name);
+std::string_view name_of(ProfileName name);
+std::optional<ProfileName> profile_named(std::string_view name);
 
 /// Ways to compute, all with the same bits; `oracle` computes in double, one ray at a time, for
 /// tests.

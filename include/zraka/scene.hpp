@@ -50,8 +50,9 @@ struct Resolution {
   std::uint32_t height = 400;
 };
 
-/// Two ways to make a picture of a scene (docs/profiles.md): the lab's, to the letter, and optics'.
-enum class ProfileName { lab, physical };
+/// Ways to make a picture of a scene (docs/profiles.md): the lab's, to the letter; optics'; and the
+/// one by which the Standard Procedural Databases count rays.
+enum class ProfileName { lab, physical, spd };
 
 struct Scene {
   Camera camera;

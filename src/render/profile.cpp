@@ -18,18 +18,45 @@ Profile profile_of(ProfileName name) {
   switch (name) {
     case ProfileName::lab:
       return {.pixel_centers = false,
+              .average_corners = false,
               .clamp_levels = true,
               .index_is_ratio = true,
               .mirror_when_total = false,
               .transfer = Transfer::linear};
     case ProfileName::physical:
       return {.pixel_centers = true,
+              .average_corners = false,
               .clamp_levels = false,
               .index_is_ratio = false,
               .mirror_when_total = true,
               .transfer = Transfer::srgb};
+    case ProfileName::spd:
+      return {.pixel_centers = false,
+              .average_corners = true,
+              .clamp_levels = false,
+              .index_is_ratio = false,
+              .mirror_when_total = false,
+              .transfer = Transfer::linear};
   }
   return {};
+}
+
+std::string_view name_of(ProfileName name) {
+  switch (name) {
+    case ProfileName::lab:
+      return "lab";
+    case ProfileName::physical:
+      return "physical";
+    case ProfileName::spd:
+      return "spd";
+  }
+  return "";
+}
+
+std::optional<ProfileName> profile_named(std::string_view name) {
+  for (const ProfileName profile : {ProfileName::lab, ProfileName::physical, ProfileName::spd})
+    if (name == name_of(profile)) return profile;
+  return std::nullopt;
 }
 
 }  // namespace zraka

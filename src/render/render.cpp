@@ -128,6 +128,18 @@ bool freeze_and_render(const Scene& scene, const Kernel<R>& kernel, const Render
   return complete;
 }
 
+/// Pixels of one column and one row less, each the mean of the four around it.
+Image means_of_corners(const Image& corners) {
+  Image image(corners.width - 1, corners.height - 1);
+  for (std::uint32_t y = 0; y < image.height; ++y) {
+    const float *above = corners.row(y), *below = corners.row(y + 1);
+    float* out = image.row(y);
+    for (std::size_t i = 0; i < std::size_t{3} * image.width; ++i)
+      out[i] = ((above[i] + above[i + 3]) + (below[i] + below[i + 3])) * 0.25f;
+  }
+  return image;
+}
+
 Diagnostics check_options(const RenderOptions& options) {
   Diagnostics found;
   const auto in_range = [&](const char* what, int value, int low, int high) {
@@ -154,7 +166,8 @@ Result<Rendering> render(const Scene& scene, const RenderOptions& options) {
   const int threads = options.threads == 0 ? tbb::info::default_concurrency() : options.threads;
   Rendering rendering;
   try {
-    rendering.image = Image(scene.resolution.width, scene.resolution.height);
+    const std::uint32_t more = options.profile.average_corners ? 1 : 0;
+    rendering.image = Image(scene.resolution.width + more, scene.resolution.height + more);
     rendering.stats.isa = *isa;
     rendering.stats.threads = threads;
     const bool complete =
@@ -162,6 +175,7 @@ Result<Rendering> render(const Scene& scene, const RenderOptions& options) {
             ? freeze_and_render(scene, isa_oracle::kKernel, options, tile, threads, rendering)
             : freeze_and_render(scene, kernel_of(*isa), options, tile, threads, rendering);
     if (!complete) return failure("", "the render was cancelled");
+    if (more > 0) rendering.image = means_of_corners(rendering.image);
   } catch (const std::bad_alloc&) {
     return failure(
         "", fmt::format("not enough memory for a picture of {}×{} pixels and {} shapes",

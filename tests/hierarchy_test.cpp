@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hits through the hierarchy are those that asking every shape in double finds, whatever the input.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <random>
+
+#include "accel/build.hpp"
+#include "lanes_probe.hpp"
+#include "scene/freeze.hpp"
+#include "scenes.hpp"
+
+namespace zraka {
+namespace {
+
+/// A scene frozen with its hierarchy in float, and without one in double.
+struct Frozen {
+  Frame frame;
+  BuiltHierarchy hierarchy;
+  std::unique_ptr<FrozenStore<float>> floats;
+  std::unique_ptr<FrozenStore<double>> doubles;
+
+  explicit Frozen(const Scene& scene) : frame(frame_of(scene)) {
+    std::vector<BuildRef> refs = references_to(scene, frame);
+    hierarchy = build_hierarchy(refs, kKinds);
+    const Profile profile = profile_of(ProfileName::physical);
+    floats = freeze<float>(scene, profile, frame, hierarchy);
+    doubles = freeze<double>(scene, profile, frame, {});
+  }
+};
+
+/// Rays that start all over the scene and around it, every fourth one beside its neighbours and
+/// parallel to them.
+std::vector<ProbeRay> random_rays(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<ProbeRay> rays(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    ProbeRay& ray = rays[i];
+    double length = 0;
+    for (int k = 0; k < 3; ++k) {
+      ray.origin[k] = static_cast<double>(static_cast<float>(normal(random)));
+      ray.direction[k] = normal(random);
+      length += ray.direction[k] * ray.direction[k];
+    }
+    for (double& d : ray.direction)
+      d = static_cast<double>(static_cast<float>(d / std::sqrt(length)));
+    // Along an axis, now and then, where slabs divide by 0.
+    if (i % 97 == 0)
+      std::fill(ray.direction, ray.direction + 3, 0.0), ray.direction[i % 3] = i % 2 == 0 ? 1 : -1;
+    ray.limit = i % 5 == 0 ? 0.5 : 1e20;
+    if (i % 64 >= 16 && i % 64 < 48) {  // whole registers of coherent rays
+      const ProbeRay& leader = rays[i - i % 64];
+      for (int k = 0; k < 3; ++k) {
+        ray.origin[k] =
+            static_cast<double>(static_cast<float>(leader.origin[k] + 0.01 * normal(random)));
+        ray.direction[k] = leader.direction[k];
+      }
+    }
+  }
+  return rays;
+}
+
+/// Compares all instruction sets with each other, bit by bit, and with the oracle but for rays that
+/// graze.
+void expect_oracle_hits(const Scene& scene, std::size_t count, double share) {
+  const Frozen frozen(scene);
+  const std::vector<ProbeRay> rays = random_rays(count, 5);
+  const auto probes = lanes_probes();
+  std::vector<ProbeHit> want(count), first(count), got(count);
+  const auto trace = [&](const LanesProbe& probe, std::vector<ProbeHit>& hits) {
+    probe.trace(&frozen.floats->scene, &frozen.doubles->scene, rays.data(), hits.data(), count);
+  };
+  trace(probes.back(), want);
+  for (std::size_t p = 0; p + 1 < probes.size(); ++p) {
+    trace(probes[p], got);
+    if (p == 0) first = got;
+    std::size_t hits = 0, different = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_EQ(got[i].id, first[i].id) << "ray " << i << " by " << name_of(probes[p].isa);
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(got[i].t), std::bit_cast<std::uint64_t>(first[i].t))
+          << "ray " << i;
+      ASSERT_EQ(got[i].blocked, first[i].blocked)
+          << "ray " << i << " by " << name_of(probes[p].isa);
+      ASSERT_EQ(got[i].blocked, got[i].id >= 0) << "a feeler and a ray disagree: " << i;
+      hits += want[i].id >= 0;
+      const bool same_place = std::fabs(got[i].t - want[i].t) <= 1e-5 * (1 + std::fabs(want[i].t));
+      if (got[i].id != want[i].id && !(want[i].id >= 0 && got[i].id >= 0 && same_place))
+        ++different;
+    }
+    EXPECT_GT(hits, count / 100);
+    EXPECT_LE(static_cast<double>(different), (1 - share) * static_cast<double>(count))
+        << name_of(probes[p].isa);
+  }
+}
+
+template <class Add>
+Scene random_scene(int count, const Add& add) {
+  Scene scene;
+  scene.materials = {{}};
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int i = 0; i < count; ++i) add(scene, unit, random);
+  return scene;
+}
+const auto kPoint = [](auto& unit, auto& random, double scale = 1) {
+  return Vec3{scale * unit(random), scale * unit(random), scale * unit(random)};
+};
+Vec3 sum(const Vec3& a, const Vec3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+Scene spheres(int count, double size) {
+  return random_scene(count, [&](Scene& scene, auto& unit, auto& random) {
+    scene.spheres.push_back({{kPoint(unit, random), size * (1.1 + unit(random))}, 0});
+  });
+}
+Scene triangles(int count, double size) {
+  return random_scene(count, [&](Scene& scene, auto& unit, auto& random) {
+    const Vec3 a = kPoint(unit, random);
+    scene.triangles.push_back(
+        {{a, sum(a, kPoint(unit, random, size)), sum(a, kPoint(unit, random, size))}, 0});
+  });
+}
+Scene smooth_triangles(int count, double size) {
+  return random_scene(count, [&](Scene& scene, auto& unit, auto& random) {
+    const Vec3 a = kPoint(unit, random);
+    scene.smooth_triangles.push_back(
+        {{a, sum(a, kPoint(unit, random, size)), sum(a, kPoint(unit, random, size)),
+          kPoint(unit, random), kPoint(unit, random), kPoint(unit, random)},
+         0});
+  });
+}
+Scene cones(int count, double size) {
+  return random_scene(count, [&](Scene& scene, auto& unit, auto& random) {
+    const Vec3 base = kPoint(unit, random);
+    const double r = 0.2 * size * (1.1 + unit(random));
+    const double top = unit(random) > 0 ? r : 0.2 * size * std::fmax(0.0, unit(random));
+    scene.cones.push_back({{base, r, sum(base, kPoint(unit, random, size)), top}, 0});
+  });
+}
+Scene everything(int count, double size) {
+  Scene all = spheres(count, 0.3 * size);
+  all.triangles = triangles(count, size).triangles;
+  all.smooth_triangles = smooth_triangles(count, size).smooth_triangles;
+  all.cones = cones(count, size).cones;
+  return all;
+}
+
+TEST(Hierarchy, HitsTheSpheresThatAskingAllHits) {
+  expect_oracle_hits(spheres(1000, 0.05), 100000, 0.9999);
+}
+TEST(Hierarchy, HitsTheTrianglesThatAskingAllHits) {
+  expect_oracle_hits(triangles(1000, 0.3), 100000, 0.9999);
+}
+TEST(Hierarchy, HitsTheSmoothTrianglesThatAskingAllHits) {
+  expect_oracle_hits(smooth_triangles(1000, 0.3), 100000, 0.9999);
+}
+TEST(Hierarchy, HitsTheConesThatAskingAllHits) {
+  expect_oracle_hits(cones(1000, 0.3), 100000, 0.9998);
+}
+TEST(Hierarchy, HitsShapesOfAllKinds) {
+  expect_oracle_hits(everything(500, 0.3), 100000, 0.9998);
+}
+TEST(Hierarchy, HitsAFewShapes) {
+  expect_oracle_hits(everything(1, 1.0), 100000, 0.9998);
+}
+
+TEST(Hierarchy, HitsSmallShapesInsideOneHugeSphere) {
+  Scene scene = everything(300, 0.2);
+  scene.spheres.push_back({{{0, 0, 0}, 50}, 0});
+  expect_oracle_hits(scene, 30000, 0.999);
+}
+
+TEST(Hierarchy, HitsScenesFarFromTheOrigin) {
+  Scene scene = everything(300, 0.3);
+  const auto move = [](Vec3& v) { v = sum(v, {1e6, -2e6, 3e6}); };
+  for (auto& s : scene.spheres) move(s.shape.center);
+  for (auto& s : scene.triangles) move(s.shape.a), move(s.shape.b), move(s.shape.c);
+  for (auto& s : scene.smooth_triangles) move(s.shape.a), move(s.shape.b), move(s.shape.c);
+  for (auto& s : scene.cones) move(s.shape.base), move(s.shape.apex);
+  expect_oracle_hits(scene, 30000, 0.9998);
+}
+
+TEST(Hierarchy, TakesTheFirstOfManyEqualShapes) {
+  Scene scene;
+  scene.materials = {{}};
+  for (int i = 0; i < 5000; ++i) scene.spheres.push_back({{{0, 0, 0}, 1}, 0});
+  const Frozen frozen(scene);
+  const std::vector<ProbeRay> rays = random_rays(1000, 3);
+  std::vector<ProbeHit> hits(rays.size());
+  for (const LanesProbe& probe : lanes_probes()) {
+    if (probe.isa == Isa::oracle) continue;
+    probe.trace(&frozen.floats->scene, nullptr, rays.data(), hits.data(), rays.size());
+    for (const ProbeHit& hit : hits) ASSERT_LE(hit.id, 0) << name_of(probe.isa);
+  }
+}
+
+TEST(Hierarchy, IsBuiltFromAMillionEqualSpheres) {
+  std::vector<BuildRef> refs(1000000);
+  for (std::size_t i = 0; i < refs.size(); ++i)
+    refs[i] = {{-1, -1, -1}, static_cast<std::int32_t>(i), {1, 1, 1}, kKindOfSphere};
+  const BuiltHierarchy built = build_hierarchy(refs, kKinds);
+  EXPECT_EQ(built.order[kKindOfSphere].size(), refs.size());
+}
+
+TEST(Hierarchy, StaysFlatEnoughForItsStack) {
+  // Every shape half as large as the one before and beside it: each cut takes off only a few.
+  std::vector<BuildRef> refs(20000);
+  for (std::size_t i = 0; i < refs.size(); ++i) {
+    const float at = std::ldexp(1.0f, -static_cast<int>(i % 140)),
+                size = at * (1 + 1e-6f * static_cast<float>(i));
+    refs[i] = {{at, 0, 0}, static_cast<std::int32_t>(i), {at + size, size, size}, kKindOfSphere};
+  }
+  const BuiltHierarchy built = build_hierarchy(refs, kKinds);
+  std::vector<std::pair<std::int32_t, int>> open = {{0, 1}};
+  int deepest = 0;
+  while (!open.empty()) {
+    const auto [at, depth] = open.back();
+    open.pop_back();
+    deepest = std::max(deepest, depth);
+    const Node& node = built.nodes[static_cast<std::size_t>(at)];
+    for (std::size_t i = 0; i < kNodeWidth; ++i)
+      if (node.leaf[i] == 0 && node.lower_x[i] <= node.upper_x[i])
+        open.push_back({node.child[i], depth + 1});
+  }
+  EXPECT_LE(deepest, kMaxNodeDepth);
+}
+
+TEST(Hierarchy, IsTheSameFromAnyNumberOfThreads) {
+  const Scene scene = everything(20000, 0.05);
+  const Frame frame = frame_of(scene);
+  std::vector<BuildRef> refs = references_to(scene, frame);
+  const BuiltHierarchy first = build_hierarchy(refs, kKinds);
+  for (int i = 0; i < 3; ++i) {
+    refs = references_to(scene, frame);
+    EXPECT_EQ(build_hierarchy(refs, kKinds).order, first.order);
+  }
+}
+
+TEST(Triangle, OfNoAreaIsNotMet) {
+  Scene scene;
+  scene.materials = {{}};
+  for (int i = 0; i < 100; ++i) {
+    const double x = 0.01 * i;
+    scene.triangles.push_back({{{x, 0, 0}, {x, 1, 0}, {x, 1, 0}}, 0});
+    scene.triangles.push_back({{{x, 0, 0}, {x, 0, 0}, {x, 0, 0}}, 0});
+  }
+  scene.spheres.push_back({{{0, 0, 0}, 0.5}, 0});
+  const Frozen frozen(scene);
+  const std::vector<ProbeRay> rays = random_rays(3000, 3);
+  std::vector<ProbeHit> hits(rays.size());
+  for (const LanesProbe& probe : lanes_probes()) {
+    probe.trace(&frozen.floats->scene, &frozen.doubles->scene, rays.data(), hits.data(),
+                rays.size());
+    for (const ProbeHit& hit : hits) ASSERT_LE(hit.id, 0) << name_of(probe.isa);
+  }
+}
+
+TEST(Triangle, LeavesNoGapBetweenNeighbours) {
+  // A closed box of triangles, seen from inside: no ray gets out.
+  Scene scene;
+  scene.materials = {{}};
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  constexpr int kSide = 12;
+  const auto corner = [&](int face, int i, int j) {
+    const double u = 2.0 * i / kSide - 1, v = 2.0 * j / kSide - 1, w = face < 3 ? 1 : -1;
+    return face % 3 == 0 ? Vec3{w, u, v} : face % 3 == 1 ? Vec3{u, w, v} : Vec3{u, v, w};
+  };
+  for (int face = 0; face < 6; ++face)
+    for (int i = 0; i < kSide; ++i)
+      for (int j = 0; j < kSide; ++j) {
+        const Vec3 a = corner(face, i, j), b = corner(face, i + 1, j),
+                   c = corner(face, i + 1, j + 1), d = corner(face, i, j + 1);
+        scene.triangles.push_back({{a, b, c}, 0});
+        scene.triangles.push_back({{a, c, d}, 0});
+      }
+  const Frozen frozen(scene);
+  // Towards edges and corners as well as anywhere.
+  std::vector<ProbeRay> rays;
+  for (int i = 0; i < 50000; ++i) {
+    Vec3 target = corner(i % 6, static_cast<int>(random() % (kSide + 1)),
+                         static_cast<int>(random() % (kSide + 1)));
+    if (i % 2 == 0) target = {target.x, target.y + 0.1 * unit(random), target.z};
+    ProbeRay ray{{0.3 * unit(random), 0.3 * unit(random), 0.3 * unit(random)}, {}, 1e20};
+    const double d[3] = {target.x - ray.origin[0], target.y - ray.origin[1],
+                         target.z - ray.origin[2]};
+    const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    for (int k = 0; k < 3; ++k) ray.direction[k] = d[k] / length;
+    rays.push_back(ray);
+  }
+  std::vector<ProbeHit> hits(rays.size());
+  for (const LanesProbe& probe : lanes_probes()) {
+    probe.trace(&frozen.floats->scene, &frozen.doubles->scene, rays.data(), hits.data(),
+                rays.size());
+    for (std::size_t i = 0; i < hits.size(); ++i)
+      ASSERT_GE(hits[i].id, 0) << i << " by " << name_of(probe.isa);
+  }
+}
+
+/// One ray against one shape, in every instruction set; the scene is small enough for its frame to
+/// be the world's but for a shift and a power of two.
+double distance_to(const Scene& scene, Vec3 origin, Vec3 direction) {
+  const Frozen frozen(scene);
+  const Vec3 o = frozen.frame.point(origin);
+  const ProbeRay ray{{o.x, o.y, o.z}, {direction.x, direction.y, direction.z}, 1e20};
+  double distance = 0;
+  for (const LanesProbe& probe : lanes_probes()) {
+    ProbeHit hit;
+    probe.trace(&frozen.floats->scene, &frozen.doubles->scene, &ray, &hit, 1);
+    distance = hit.id < 0 ? -1 : hit.t / frozen.frame.scale;
+    if (probe.isa == Isa::oracle) continue;
+    EXPECT_EQ(hit.blocked, hit.id >= 0);
+  }
+  return distance;
+}
+
+TEST(Cone, IsMetOnItsSideAndNotOnItsCaps) {
+  Scene scene;
+  scene.materials = {{}};
+  scene.cones = {{{{0, 0, 0}, 1, {0, 4, 0}, 1}, 0}};  // a cylinder
+  EXPECT_NEAR(distance_to(scene, {5, 2, 0}, {-1, 0, 0}), 4, 1e-6);
+  EXPECT_NEAR(distance_to(scene, {0, 2, 0}, {-1, 0, 0}), 1, 1e-6);  // from inside
+  EXPECT_NEAR(distance_to(scene, {0.5, 9, 0}, {0, -1, 0}), -1,
+              1e-6);  // in through the open end, and out
+  EXPECT_NEAR(distance_to(scene, {5, 4.01, 0}, {-1, 0, 0}), -1, 1e-6);  // beyond the end
+  EXPECT_NEAR(distance_to(scene, {5, 3.99, 0}, {-1, 0, 0}), 4, 1e-6);
+  const double s = std::sqrt(0.5);
+  EXPECT_NEAR(distance_to(scene, {-2, 5.5, 0}, {s, -s, 0}), 3 / s,
+              1e-5);  // over the rim, onto the inside
+}
+
+TEST(Cone, HasOneTip) {
+  Scene scene;
+  scene.materials = {{}};
+  scene.cones = {{{{0, 0, 0}, 1, {0, 1, 0}, 0}, 0}};
+  EXPECT_NEAR(distance_to(scene, {5, 0.5, 0}, {-1, 0, 0}), 4.5, 1e-6);
+  EXPECT_NEAR(distance_to(scene, {5, 1.5, 0}, {-1, 0, 0}), -1, 1e-6)
+      << "the mirror cone beyond the tip";
+  EXPECT_NEAR(distance_to(scene, {0.25, 5, 0}, {0, -1, 0}), 4.25, 1e-6);
+  // Parallel to the side: a quadratic without its square.
+  const double s = std::sqrt(0.5);
+  EXPECT_NEAR(distance_to(scene, {-1.5, 2, 0}, {s, -s, 0}), 1.25 / s, 1e-5);
+}
+
+}  // namespace
+}  // namespace zraka

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// NFF: what it means, and the exact answer to each way of getting it wrong.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <zraka/formats.hpp>
+
+#include "scene/polygon.hpp"
+
+namespace zraka {
+namespace {
+
+const std::string kView =
+    "b 0.1 0.2 0.3\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 90\nhither 1\nresolution 40 20\n";
+const std::string kMaterial = "f 1 0.5 0 0.8 0.3 20 0.4 1.5\n";
+
+std::string answer(const std::string& text) {
+  const Result<ReadScene> read = parse_scene(text, "f.nff");
+  std::string all;
+  for (const Diagnostic& d : read ? read->warnings : read.error()) all += to_string(d);
+  return all;
+}
+Scene scene(const std::string& text) {
+  const Result<ReadScene> read = parse_scene(text, "f.nff");
+  if (!read) ADD_FAILURE() << to_string(read.error().front());
+  return read ? read->scene : Scene{};
+}
+
+TEST(Nff, HasAViewThroughAWindow) {
+  const Scene s = scene(kView);
+  EXPECT_EQ(s.background, (Color{0.1, 0.2, 0.3}));
+  EXPECT_EQ(s.camera.eye, (Vec3{0, 0, 5}));
+  EXPECT_EQ(s.camera.window_center, (Vec3{0, 0, 4}));
+  EXPECT_NEAR(s.camera.window_up.y, 2, 1e-12);     // 90 degrees at distance 1
+  EXPECT_NEAR(s.camera.window_right.x, 4, 1e-12);  // twice as wide as tall
+  EXPECT_EQ(s.resolution.width, 40u);
+  EXPECT_EQ(s.resolution.height, 20u);
+  EXPECT_EQ(s.default_profile, ProfileName::physical);
+}
+
+TEST(Nff, HasLightsOfTheDatabasesRule) {
+  const Scene s = scene(kView + "l 1 2 3\nl 4 5 6 # plain too\nl 7 8 9 0.1 0.2 0.3\nl 0 0 0\n");
+  ASSERT_EQ(s.lights.size(), 4u);
+  const double each = std::sqrt(4.0) / 8;
+  EXPECT_EQ(s.lights[0].color, (Color{each, each, each}));
+  EXPECT_EQ(s.lights[1].color, (Color{each, each, each}));
+  EXPECT_EQ(s.lights[2].color, (Color{0.1, 0.2, 0.3}));
+  EXPECT_EQ(s.ambient_light, (Color{each, each, each}));
+}
+
+TEST(Nff, HasShapesWithTheMaterialBeforeThem) {
+  const Scene s = scene(
+      kView + kMaterial + "s 1 2 3 0.5\nf 0 0 1 1 0 100000 0 0\nc 0 0 0 1\n 0 0 2 0.5\n" +
+      kMaterial + "p 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\npp 3\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1");
+  EXPECT_EQ(s.materials.size(), 2u) << "the same 'f' is one material";
+  ASSERT_EQ(s.spheres.size(), 1u);
+  EXPECT_EQ(s.spheres[0].material, 0u);
+  ASSERT_EQ(s.cones.size(), 1u);
+  EXPECT_EQ(s.cones[0].shape.apex_radius, 0.5);
+  EXPECT_EQ(s.cones[0].material, 1u);
+  EXPECT_EQ(s.triangles.size(), 2u);
+  EXPECT_EQ(s.triangles[0].material, 0u);
+  ASSERT_EQ(s.smooth_triangles.size(), 1u);
+  EXPECT_EQ(s.smooth_triangles[0].shape.normal_c, (Vec3{0, 0, 1}));
+  const Material want{{0.8, 0.4, 0}, {0.8, 0.4, 0}, {0.3, 0.3, 0.3}, 20, 0.3, 0.4, 1.5};
+  EXPECT_EQ(s.materials[0], want);
+  EXPECT_EQ(s.materials[1].refractive, 1) << "an index of 0 is not divided by";
+}
+
+TEST(Nff, SaysWhatIsWrongAndGoesOn) {
+  EXPECT_EQ(answer(kView + kMaterial + "s 1 2 x 4\nq 1\ns 1 2 3 0\n"),
+            "f.nff:10:7: error: 'x' is not a finite number: expected the sphere's centre\n"
+            "  s 1 2 x 4\n"
+            "        ^\n"
+            "f.nff:11:1: error: 'q' is no word of NFF: expected v, b, l, f, s, c, p or pp\n"
+            "  q 1\n"
+            "  ^\n"
+            "f.nff:12:2: error: the sphere's radius is 0\n"
+            "  s 1 2 3 0\n"
+            "   ^\n");
+}
+
+TEST(Nff, SaysWhatIsMissing) {
+  EXPECT_EQ(answer(""), "f.nff:1:1: error: the file has no view: expected 'v'\n  \n  ^\n");
+  EXPECT_EQ(answer(kView + "s 0 0 0 1"),
+            "f.nff:9:1: error: 's' has no material: expected 'f' before the first shape\n"
+            "  s 0 0 0 1\n"
+            "  ^\n");
+  EXPECT_EQ(answer(kView + kMaterial + "s 0 0"),
+            "f.nff:10:6: error: the file ends: expected the sphere's centre\n"
+            "  s 0 0\n"
+            "       ^\n");
+  EXPECT_EQ(answer("v\nfrom 0 0 5\nup 0 1 0\n").substr(0, 64),
+            "f.nff:3:1: error: 'up' does not belong here: expected 'at' of th");
+}
+
+TEST(Nff, RefusesViewsOfNothing) {
+  const auto view = [](const std::string& at, const std::string& up, const std::string& angle,
+                       const std::string& size) {
+    const std::string text = answer("v\nfrom 0 0 5\nat " + at + "\nup " + up + "\nangle " + angle +
+                                    "\nhither 1\nresolution " + size + "\n");
+    return text.substr(0, text.find('\n'));
+  };
+  EXPECT_EQ(view("0 0 5", "0 1 0", "45", "9 9"),
+            "f.nff:7:15: error: the eye is at the place that it looks at");
+  EXPECT_EQ(view("0 0 0", "0 0 1", "45", "9 9"),
+            "f.nff:7:15: error: the upward direction is the one of the view");
+  EXPECT_EQ(view("0 0 0", "0 1 0", "180", "9 9"),
+            "f.nff:5:6: error: angle is 180: expected degrees from 0 to 180");
+  EXPECT_EQ(view("0 0 0", "0 1 0", "45", "0 9"),
+            "f.nff:7:11: error: resolution is 0 9: expected whole numbers, 1 or more");
+  EXPECT_EQ(view("0 0 0", "0 1 0", "45", "99999 99999"),
+            "f.nff:7:11: error: resolution is 99999 99999: expected 134217728 pixels at most");
+}
+
+TEST(Nff, RefusesMoreCornersThanThereAre) {
+  EXPECT_EQ(answer(kView + kMaterial + "p 1000000000\n0 0 0\n"),
+            "f.nff:10:3: error: number of corners is 1000000000: expected a whole number from 3 to "
+            "20000, and as many "
+            "corners\n"
+            "  p 1000000000\n"
+            "    ^\n"
+            "f.nff:11:1: error: '0' is no word of NFF: expected v, b, l, f, s, c, p or pp\n"
+            "  0 0 0\n"
+            "  ^\n");
+}
+
+TEST(Nff, WarnsOfWhatItDrawsOtherwise) {
+  EXPECT_EQ(answer(kView + kMaterial + "s 0 0 0 -1\n"),
+            "f.nff:10:2: warning: a negative radius makes only the inside visible in NFF; here "
+            "both sides are\n"
+            "  s 0 0 0 -1\n"
+            "   ^\n");
+}
+
+/// Sum of the triangles' areas, and whether each turns the way that the polygon does.
+double area(const std::vector<Vec3>& corners) {
+  double sum = 0;
+  for (const auto& [a, b, c] : triangulate(corners)) {
+    const Vec3 &p = corners[a], &q = corners[b], &r = corners[c];
+    const double turn = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    EXPECT_GE(turn, 0);
+    sum += turn / 2;
+  }
+  return sum;
+}
+
+TEST(Polygon, IsCoveredByItsTriangles) {
+  EXPECT_DOUBLE_EQ(area({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}), 2);
+  EXPECT_DOUBLE_EQ(area({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}}), 10) << "a notch";
+  std::vector<Vec3> gear;
+  double want = 0;
+  for (int i = 0; i < 144; ++i) {
+    const double angle = 2 * M_PI * i / 144, r = i / 2 % 2 == 0 ? 1 : 0.8;
+    gear.push_back({r * std::cos(angle), r * std::sin(angle), 0});
+  }
+  for (std::size_t i = 0; i < gear.size(); ++i) {
+    const Vec3 &a = gear[i], &b = gear[(i + 1) % gear.size()];
+    want += (a.x * b.y - a.y * b.x) / 2;
+  }
+  EXPECT_NEAR(area(gear), want, 1e-12);
+  EXPECT_EQ(triangulate(gear).size(), 142u);
+}
+
+TEST(Polygon, FacesAnyWay) {
+  const std::vector<Vec3> notch = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}};
+  std::vector<Vec3> turned, mirrored;
+  for (const Vec3& c : notch)
+    turned.push_back({c.z, c.x, c.y}), mirrored.push_back({-c.x, c.y, c.z});
+  EXPECT_EQ(triangulate(turned), triangulate(notch));
+  EXPECT_EQ(triangulate(mirrored), triangulate(notch));
+}
+
+TEST(Polygon, ThatIsNoneEndsTheWork) {
+  EXPECT_TRUE(triangulate({{0, 0, 0}, {1, 0, 0}}).empty());
+  triangulate({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}});    // a line
+  triangulate({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}});               // a point
+  triangulate({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 2, 0}});  // crosses itself
+}
+
+}  // namespace
+}  // namespace zraka
