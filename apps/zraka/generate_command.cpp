@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // zraka generate: scenes made to order.
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "commands.hpp"
+#include "generate/benchmarks.hpp"
 #include "generate/letter.hpp"
 #include "render_options.hpp"
 #include "terminal.hpp"
@@ -25,12 +28,40 @@ int run_letter(LetterWords words) {
   return written ? kDone : fail(written.error());
 }
 
+struct BenchmarkWords {
+  std::string output;
+  int size = 0;
+  std::uint32_t seed = 1;
+};
+
+void add_benchmark(CLI::App& app, const Benchmark& benchmark, Command& command) {
+  auto words = std::make_shared<BenchmarkWords>();
+  words->size = benchmark.usual;
+  CLI::App* sub = app.add_subcommand(benchmark.name, benchmark.what);
+  sub->add_option("-o,--output", words->output, "the NFF file to write, NAME.nff")->required();
+  sub->add_option("--size", words->size, fmt::format("how large (default {})", benchmark.usual))
+      ->check(CLI::Range(benchmark.smallest, benchmark.largest));
+  sub->add_option("--seed", words->seed, "another seed, another scene of the kind (default 1)");
+  sub->footer(fmt::format(
+      "Example:\n  zraka generate {0} --size {1} -o {0}.nff && zraka render {0}.nff -o {0}.png",
+      benchmark.name, benchmark.usual));
+  sub->callback([&command, &benchmark, words] {
+    command = [&benchmark, words] {
+      const Result<void> written =
+          generate_benchmark(benchmark.name, words->size, words->seed, words->output);
+      return written ? +kDone : fail(written.error());
+    };
+  });
+}
+
 }  // namespace
 
 CLI::App* add_generate(CLI::App& program, Command& command) {
   CLI::App* app = program.add_subcommand("generate", "make a scene");
   app->require_subcommand(1);
-  app->footer("Example:\n  zraka generate letter Č -o letter.txt");
+  app->footer(
+      "Examples:\n  zraka generate letter Č -o letter.txt\n  zraka generate sphereflake --size 5 "
+      "-o flake.nff");
 
   auto words = std::make_shared<LetterWords>();
   CLI::App* letter =
@@ -55,6 +86,7 @@ CLI::App* add_generate(CLI::App& program, Command& command) {
       "  zraka generate letter Š -o letter.txt && zraka render letter.txt -o letter.png\n"
       "  zraka generate letter Đ -o letter.txt --packing fill --spheres 60\n"
       "  zraka generate letter ĆAO -o word.txt --resolution 1080");
+  for (const Benchmark& benchmark : kBenchmarks) add_benchmark(*app, benchmark, command);
   letter->callback([&command, words] { command = [words] { return run_letter(*words); }; });
   return app;
 }

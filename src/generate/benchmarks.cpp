@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "generate/benchmarks.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+#include <zraka/values.hpp>
+
+#include "core/file.hpp"
+
+namespace zraka {
+namespace {
+
+Vec3 operator+(const Vec3& a, const Vec3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+Vec3 operator*(const Vec3& a, double s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double dot(const Vec3& a, const Vec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+Vec3 unit(const Vec3& a) {
+  return a * (1 / std::sqrt(dot(a, a)));
+}
+
+/// Lines of NFF into a file, by way of a buffer.
+class Lines {
+ public:
+  explicit Lines(std::FILE* stream) : stream_(stream) {}
+  Lines(const Lines&) = delete;
+  Lines& operator=(const Lines&) = delete;
+  ~Lines() { flush(); }
+
+  void view(const Vec3& from, const Vec3& at, const Vec3& up, double angle) {
+    add("b 0.078 0.361 0.753\nv\nfrom {:.9g} {:.9g} {:.9g}\nat {:.9g} {:.9g} {:.9g}\n", from.x,
+        from.y, from.z, at.x, at.y, at.z);
+    add("up {:.9g} {:.9g} {:.9g}\nangle {:.9g}\nhither 0.01\nresolution 512 512\n", up.x, up.y,
+        up.z, angle);
+  }
+  void light(const Vec3& p) { add("l {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z); }
+  void material(double r, double g, double b, double kd, double ks, double shine) {
+    add("f {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} 0 0\n", r, g, b, kd, ks, shine);
+  }
+  void sphere(const Vec3& c, double r) { add("s {:.9g} {:.9g} {:.9g} {:.9g}\n", c.x, c.y, c.z, r); }
+  void cylinder(const Vec3& a, const Vec3& b, double r) {
+    add("c {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g}\n", a.x, a.y, a.z, r, b.x, b.y,
+        b.z, r);
+  }
+  template <std::size_t N>
+  void polygon(const std::array<Vec3, N>& corners) {
+    add("p {}\n", N);
+    for (const Vec3& c : corners) add("{:.9g} {:.9g} {:.9g}\n", c.x, c.y, c.z);
+  }
+
+ private:
+  template <class... Values>
+  void add(fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(buffer_), format, std::forward<Values>(values)...);
+    if (buffer_.size() > (1u << 20)) flush();
+  }
+  void flush() {
+    std::fwrite(buffer_.data(), 1, buffer_.size(), stream_);
+    buffer_.clear();
+  }
+  std::FILE* stream_;
+  fmt::memory_buffer buffer_;
+};
+
+/// The same numbers on every machine: SplitMix64 (Steele, Lea and Flood 2014).
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  double unit() {
+    std::uint64_t z = state_ += 0x9E3779B97F4A7C15u;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// Three children on the lower ring, six on the equator seen from the parent's own axis, each a
+/// third as large (Haines, "A proposal for standard graphics environments", 1987).
+void flake(Lines& out, const Vec3& center, double radius, const Vec3& axis, int levels) {
+  out.sphere(center, radius);
+  if (levels == 0) return;
+  const Vec3 side = unit(cross(axis, std::fabs(axis.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+  const Vec3 other = cross(axis, side);
+  constexpr double kTurn = 6.28318530717958648;
+  for (int i = 0; i < 9; ++i) {
+    const bool equator = i < 6;
+    const double around = equator ? kTurn * i / 6 : kTurn * (i - 6) / 3 + kTurn / 12;
+    const double height = equator ? 0 : std::sqrt(2.0 / 3);
+    const double wide = std::sqrt(1 - height * height);
+    const Vec3 way =
+        side * (wide * std::cos(around)) + other * (wide * std::sin(around)) + axis * height;
+    flake(out, center + way * (radius * 4 / 3), radius / 3, way, levels - 1);
+  }
+}
+
+void ground_and_lights(Lines& out, double height) {
+  out.light({4, 3, 2});
+  out.light({1, -4, 4});
+  out.light({-3, 1, 5});
+  out.material(1, 0.75, 0.33, 0.8, 0, 1);
+  out.polygon(std::array<Vec3, 4>{
+      {{12, 12, height}, {-12, 12, height}, {-12, -12, height}, {12, -12, height}}});
+}
+
+void sphereflake(Lines& out, int size) {
+  out.view({2.1, 1.3, 1.7}, {0, 0, 0}, {0, 0, 1}, 45);
+  ground_and_lights(out, -0.5);
+  out.material(1, 0.9, 0.7, 0.5, 0.5, 3);
+  flake(out, {0, 0, 0}, 0.5, {0, 0, 1}, size);
+}
+
+void lattice(Lines& out, int size) {
+  out.view({1.9, -1.1, 1.5}, {0.5, 0.5, 0.4}, {0, 0, 1}, 40);
+  ground_and_lights(out, -0.1);
+  const double step = size > 1 ? 1.0 / (size - 1) : 1, radius = step * 0.2;
+  out.material(0.8, 0.8, 0.9, 0.6, 0.3, 20);
+  for (int x = 0; x < size; ++x)
+    for (int y = 0; y < size; ++y)
+      for (int z = 0; z < size; ++z) out.sphere(Vec3{1.0 * x, 1.0 * y, 1.0 * z} * step, radius);
+  out.material(0.9, 0.4, 0.3, 0.8, 0, 1);
+  for (int x = 0; x < size; ++x)
+    for (int y = 0; y < size; ++y)
+      for (int z = 0; z < size; ++z) {
+        const Vec3 at = Vec3{1.0 * x, 1.0 * y, 1.0 * z} * step;
+        if (x + 1 < size) out.cylinder(at, at + Vec3{step, 0, 0}, radius / 3);
+        if (y + 1 < size) out.cylinder(at, at + Vec3{0, step, 0}, radius / 3);
+        if (z + 1 < size) out.cylinder(at, at + Vec3{0, 0, step}, radius / 3);
+      }
+}
+
+void spheres(Lines& out, int size, std::uint32_t seed) {
+  out.view({2.4, -1.6, 1.8}, {0, 0, 0}, {0, 0, 1}, 40);
+  ground_and_lights(out, -0.7);
+  Random random(seed);
+  const auto count = static_cast<std::int64_t>(std::llround(std::pow(10.0, size)));
+  const double radius = 0.35 / std::cbrt(static_cast<double>(count));
+  for (const bool mirrors : {false, true}) {
+    out.material(mirrors ? 0.9 : 0.3, 0.8, mirrors ? 0.9 : 0.6, mirrors ? 0.3 : 0.8,
+                 mirrors ? 0.6 : 0, 20);
+    for (std::int64_t i = mirrors ? (count + 1) / 2 : 0; i < (mirrors ? count : (count + 1) / 2);
+         ++i) {
+      const double x = random.unit(), y = random.unit(), z = random.unit();
+      out.sphere({x - 0.5, y - 0.5, z - 0.5}, radius * (0.5 + random.unit()));
+    }
+  }
+}
+
+void terrain(Lines& out, int size, std::uint32_t seed) {
+  out.view({1.6, -1.4, 1.2}, {0, 0, 0}, {0, 0, 1}, 40);
+  out.light({4, 3, 4});
+  out.light({-4, -1, 5});
+  out.material(0.45, 0.55, 0.35, 1, 0, 1);
+  // Heights as sums of waves whose directions and phases are drawn once.
+  Random random(seed);
+  constexpr int kWaves = 40;
+  std::array<std::array<double, 4>, kWaves> waves;
+  for (std::size_t i = 0; i < kWaves; ++i) {
+    const double turn = 6.28318530717958648 * random.unit(),
+                 many = 3 * std::pow(1.15, static_cast<double>(i));
+    waves[i] = {many * std::cos(turn), many * std::sin(turn), 6.28318530717958648 * random.unit(),
+                0.25 / many};
+  }
+  const int side = 1 << size;
+  const auto row = [&](int j) {
+    std::vector<Vec3> points;
+    for (int i = 0; i <= side; ++i) {
+      const double x = 2.0 * i / side - 1, y = 2.0 * j / side - 1;
+      double z = 0;
+      for (const auto& w : waves) z += w[3] * std::sin(w[0] * x + w[1] * y + w[2]);
+      points.push_back({x, y, z});
+    }
+    return points;
+  };
+  std::vector<Vec3> below = row(0);
+  for (int j = 0; j < side; ++j) {
+    std::vector<Vec3> above = row(j + 1);
+    for (std::size_t i = 0; i + 1 < below.size(); ++i) {
+      out.polygon(std::array<Vec3, 3>{below[i], below[i + 1], above[i + 1]});
+      out.polygon(std::array<Vec3, 3>{below[i], above[i + 1], above[i]});
+    }
+    below = std::move(above);
+  }
+}
+
+}  // namespace
+
+Result<void> generate_benchmark(const std::string& name, int size, std::uint32_t seed,
+                                const std::string& path) {
+  const Benchmark* benchmark = nullptr;
+  for (const Benchmark& b : kBenchmarks)
+    if (name == b.name) benchmark = &b;
+  if (benchmark == nullptr) return failure("", fmt::format("there is no benchmark '{}'", name));
+  if (size < benchmark->smallest || size > benchmark->largest)
+    return failure("", fmt::format("size {} of {} is out of range: {} to {}", size, name,
+                                   benchmark->smallest, benchmark->largest));
+  Result<NewFile> file = NewFile::create(path);
+  if (!file) return tl::make_unexpected(file.error());
+  {
+    Lines out(file->stream());
+    if (name == "sphereflake") sphereflake(out, size);
+    if (name == "lattice") lattice(out, size);
+    if (name == "spheres") spheres(out, size, seed);
+    if (name == "terrain") terrain(out, size, seed);
+  }
+  return file->commit();
+}
+
+}  // namespace zraka
