@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <charconv>
 #include <cmath>
+#include <random>
 #include <zraka/diagnostic.hpp>
 
 namespace zraka {
@@ -28,6 +31,25 @@ TEST(ParseNumber, IsInfiniteOutOfRangeAndZeroForTheTiny) {
   EXPECT_TRUE(std::isinf(*parse_number("1e999")));
   EXPECT_LT(*parse_number("-1e999"), 0);
   EXPECT_EQ(parse_number("1e-999"), 0);
+}
+
+TEST(ReadNumber, IsFromChars) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 200000; ++i) {
+    std::string text = random() % 2 ? "-" : "";
+    const auto before = random() % 10, behind = random() % 12;
+    for (auto d = before * 0; d < before; ++d) text += static_cast<char>('0' + random() % 10);
+    if (random() % 4) text += '.';
+    for (auto d = behind * 0; d < behind; ++d) text += static_cast<char>('0' + random() % 10);
+    if (random() % 8 == 0) text += "e-" + std::to_string(random() % 30);
+    text += " #ex.,\n"[random() % 7];
+    double got = 0, want = 0;
+    const char* stop = read_number(text.data(), text.data() + text.size(), got);
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), want);
+    ASSERT_EQ(stop, error == std::errc() ? end : nullptr) << text;
+    if (stop == nullptr) continue;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(got), std::bit_cast<std::uint64_t>(want)) << text;
+  }
 }
 
 TEST(Places, CountCharactersOfUtf8) {

@@ -54,6 +54,7 @@ std::optional<ProfileName> profile_named(std::string_view name);
 /// tests.
 enum class Isa { avx512, avx2, portable, oracle };
 std::string_view name_of(Isa isa);
+/// By its name in any case, with hyphens or without.
 std::optional<Isa> isa_named(std::string_view name);
 /// Those that this build and this machine have, the fastest first; never empty, never `oracle`.
 std::vector<Isa> available_isas();

@@ -17,6 +17,8 @@ namespace zraka {
 namespace {
 
 constexpr int kBins = 16;
+/// Ranges under this size have half as many bins: what bins cost by themselves counts there.
+constexpr std::size_t kFewBinsSize = 64;
 /// Ranges up to this size are not split further.
 constexpr std::size_t kSmallLeaf = 4;
 /// Ranges up to this size are leaves rather than nodes of their own; a vector of shapes costs
@@ -30,6 +32,7 @@ constexpr int kFreeDepth = kMaxNodeDepth - 16;
 
 /// Three numbers and one that does not matter, in one register (GCC's and clang's vectors).
 using Four = float __attribute__((vector_size(16)));
+using FourInts = int __attribute__((vector_size(16)));
 
 Four smaller(Four a, Four b) {
   return a < b ? a : b;
@@ -99,19 +102,21 @@ using Bins = std::array<std::array<Bin, kBins>, 3>;
 /// Which bin a centre falls into along each axis; monotonous in the centre.
 struct Binning {
   Four from, scale;
-  explicit Binning(const Range& range) : from(range.centers.lower) {
+  int count;
+  explicit Binning(const Range& range)
+      : from(range.centers.lower), count(range.size() < kFewBinsSize ? kBins / 2 : kBins) {
     const Four extent = range.centers.upper - from;
     for (int a = 0; a < 4; ++a) {
-      const float s = a < 3 ? kBins / extent[a] : 0;
+      const float s = a < 3 ? static_cast<float>(count) / extent[a] : 0;
       scale[a] = s > 0 && s < std::numeric_limits<float>::max() ? s : 0;  // 0: no extent, no bins
     }
   }
   std::size_t bin(const BuildRef& ref, std::size_t axis) const {
     const Four place = (center_of(ref) - from) * scale;
-    return bin_at(place[static_cast<int>(axis)]);
+    return bin_at(static_cast<int>(place[static_cast<int>(axis)]));
   }
-  static std::size_t bin_at(float place) {
-    return static_cast<std::size_t>(std::clamp(static_cast<int>(place), 0, kBins - 1));
+  std::size_t bin_at(int place) const {
+    return static_cast<std::size_t>(std::clamp(place, 0, count - 1));
   }
 };
 
@@ -119,9 +124,10 @@ Bins binned(const BuildRef* begin, const BuildRef* end, const Binning& binning) 
   Bins bins;
   for (const BuildRef* r = begin; r != end; ++r) {
     const Four lower = lower_of(*r), upper = upper_of(*r);
-    const Four place = (lower + upper - binning.from) * binning.scale;
+    const auto place =
+        __builtin_convertvector((lower + upper - binning.from) * binning.scale, FourInts);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      Bin& bin = bins[axis][Binning::bin_at(place[static_cast<int>(axis)])];
+      Bin& bin = bins[axis][binning.bin_at(place[static_cast<int>(axis)])];
       bin.bounds.include(lower, upper);
       ++bin.count;
     }
@@ -172,15 +178,16 @@ Split best_split(const Range& range, const Binning& binning) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!(binning.scale[static_cast<int>(axis)] > 0)) continue;
     // Costs of everything left of each border, then from the right.
+    const auto count = static_cast<std::size_t>(binning.count);
     std::array<float, kBins> left{};
     Bin sum;
-    for (std::size_t b = 0; b + 1 < kBins; ++b) {
+    for (std::size_t b = 0; b + 1 < count; ++b) {
       sum.bounds.include(bins[axis][b].bounds);
       sum.count += bins[axis][b].count;
       left[b + 1] = sum.bounds.half_area() * static_cast<float>(sum.count);
     }
     sum = {};
-    for (std::size_t b = kBins - 1; b > 0; --b) {
+    for (std::size_t b = count - 1; b > 0; --b) {
       sum.bounds.include(bins[axis][b].bounds);
       sum.count += bins[axis][b].count;
       if (sum.count == 0 || sum.count == range.size()) continue;

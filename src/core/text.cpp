@@ -2,7 +2,9 @@
 #include "core/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstdint>
 #include <cstdlib>
 
 namespace zraka {
@@ -58,6 +60,37 @@ std::optional<double> parse_number(std::string_view text) {
     return std::strtod(std::string(text).c_str(), nullptr);
   if (error != std::errc()) return std::nullopt;
   return value;
+}
+
+const char* read_number(const char* begin, const char* end, double& value) {
+  // Up to 15 digits are an exact double, and so is a power of ten up to 22: their quotient is
+  // rounded once, hence right (Clinger, "How to read floating point numbers accurately", 1990).
+  static constexpr std::array<double, 16> kPowers = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                     1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  const char* at = begin;
+  const bool negative = at != end && *at == '-';
+  if (negative) ++at;
+  std::uint64_t digits = 0;
+  const char* const first = at;
+  for (; at != end && *at >= '0' && *at <= '9' && at - first < 16; ++at)
+    digits = 10 * digits + static_cast<std::uint64_t>(*at - '0');
+  std::ptrdiff_t count = at - first, behind = 0;
+  if (at != end && *at == '.') {
+    const char* const point = ++at;
+    for (; at != end && *at >= '0' && *at <= '9' && at - point < 16; ++at)
+      digits = 10 * digits + static_cast<std::uint64_t>(*at - '0');
+    behind = at - point;
+    count += behind;
+  }
+  const bool ends =
+      at == end || !((*at >= '0' && *at <= '9') || *at == 'e' || *at == 'E' || *at == '.');
+  if (count > 0 && count <= 15 && ends) {
+    const double whole = static_cast<double>(digits) / kPowers[static_cast<std::size_t>(behind)];
+    value = negative ? -whole : whole;
+    return at;
+  }
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  return error == std::errc() ? stop : nullptr;
 }
 
 bool is_utf8(std::string_view text) {

@@ -15,6 +15,11 @@ std::string_view trimmed(std::string_view text);
 /// else, words for infinity among it; infinite for what is out of range.
 std::optional<double> parse_number(std::string_view text);
 
+/// Reads a number as std::from_chars does, several times as fast where it has at most 15 digits and
+/// a small exponent, as the numbers of large files have. Returns the end of what was read, or
+/// nullptr if no number that fits is there.
+const char* read_number(const char* begin, const char* end, double& value);
+
 /// Is the text whole characters of UTF-8?
 bool is_utf8(std::string_view text);
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
@@ -116,18 +115,21 @@ std::string_view Reader::word_at(const char* at) const {
 bool Reader::number(double& value, const char* what) {
   skip_space();
   if (at_ == end_) return fail(at_, fmt::format("the file ends: expected {}", what));
-  const char* start = at_ + (*at_ == '+' ? 1 : 0);
-  const auto [stop, error] = std::from_chars(start, end_, value);
-  const bool whole = stop == end_ || *stop == ' ' || *stop == '\n' || *stop == '\t' ||
-                     *stop == '\r' || *stop == '#';
-  if (error == std::errc() && whole && std::isfinite(value)) {
+  const char* const stop = read_number(at_ + (*at_ == '+' ? 1 : 0), end_, value);
+  const auto ends = [&](const char* p) {
+    return p == end_ || *p == ' ' || *p == '\n' || *p == '\t' || *p == '\r' || *p == '#';
+  };
+  if (stop != nullptr && ends(stop) && std::isfinite(value)) {
     at_ = stop;
     return true;
   }
   const std::string_view word = word_at(at_);
-  if (error == std::errc::result_out_of_range && whole) {
-    value = parse_number(word).value_or(0);
-    if (std::isfinite(value)) return at_ = stop, true;  // too small for a double: 0
+  // What is too small for a double is 0.
+  const std::optional<double> rounded = parse_number(word);
+  if (rounded && std::isfinite(*rounded)) {
+    value = *rounded;
+    at_ += word.size();
+    return true;
   }
   return fail(at_, fmt::format("'{}' is not a finite number: expected {}", shown(word), what));
 }

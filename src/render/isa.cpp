@@ -46,8 +46,11 @@ std::string_view name_of(Isa isa) {
 }
 
 std::optional<Isa> isa_named(std::string_view name) {
+  std::string plain;  // AVX-512 is avx512
+  for (const char c : name)
+    if (c != '-') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
   for (const Isa isa : {Isa::avx512, Isa::avx2, Isa::portable, Isa::oracle})
-    if (name == name_of(isa)) return isa;
+    if (plain == name_of(isa)) return isa;
   return std::nullopt;
 }
 
