@@ -33,17 +33,27 @@ expect 0 "in use: portable" env ZRAKA_ISA=portable "$zraka" --version
 
 # Wrong usage.
 expect 2 "A subcommand is required" "$zraka"
+expect 2 "'rendr' is no command: there are render, stages, generate, info" "$zraka" rendr "$scene"
+expect 1 "standard output: error: cannot be written" bash -c "'$zraka' info $scene >/dev/full"
 expect 2 "--frobnicate" "$zraka" render "$scene" -o "$folder/a.png" --frobnicate
 expect 2 "--output is required" "$zraka" render "$scene"
 expect 2 "'9' is not a stage" "$zraka" render "$scene" -o "$folder/a.png" --stage 9
 expect 2 "--max-depth" "$zraka" render "$scene" -o "$folder/a.png" --max-depth -1
-expect 2 "'mmx' is not avx512, avx2, portable or oracle" "$zraka" render "$scene" -o "$folder/a.png" --isa mmx
+expect 2 "'mmx' is not avx512, avx2 or portable" "$zraka" render "$scene" -o "$folder/a.png" --isa mmx
 expect 1 "which is no instruction set" env ZRAKA_ISA=mmx "$zraka" render "$scene" -o "$folder/a.png"
+expect 2 "'x.jpg' is not the name of a PNG" "$zraka" render "$scene" -o x.jpg
 [ -e "$folder/a.png" ] && fail "a picture of a render that failed"
+cp "$scene" "$folder/own.txt"
+expect 1 "is the scene itself" "$zraka" render "$folder/own.txt" -o "$folder/own.txt"
+cmp -s "$scene" "$folder/own.txt" || fail "a scene was overwritten"
 
 # Pictures: silent when piped, the same by number and by name of a stage.
 "$zraka" render "$scene" -o "$folder/a.png" >"$folder/words" 2>&1 || fail "render"
 [ -s "$folder/words" ] && fail "render is not silent: $(cat "$folder/words")"
+"$zraka" render "$scene" -o - >"$folder/b.png" || fail "standard output"
+cmp -s "$folder/a.png" "$folder/b.png" || fail "standard output gives another picture"
+"$zraka" render <(cat "$scene") -o "$folder/b.png" || fail "a pipe"
+cmp -s "$folder/a.png" "$folder/b.png" || fail "a pipe gives another picture"
 [ "$(head -c 4 "$folder/a.png" | tail -c 3)" = PNG ] || fail "no PNG"
 "$zraka" render "$scene" -o "$folder/4.png" --stage 4 && "$zraka" render "$scene" -o "$folder/s.png" --stage specular
 cmp -s "$folder/4.png" "$folder/s.png" || fail "stage 4 is not stage specular"

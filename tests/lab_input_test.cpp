@@ -180,14 +180,25 @@ TEST(LabInput, KnowsADecimalCommaByItsLabel) {
       "<eye> 0,0,2: <size> 2: <resolution> 400: <light> 0,2,-2: <N> 1:\n"
       "<position> 1,2,-3:\n<radius> 0,5: <k1> 0.6: <k2> 0.8: <ka> 0.1,0.2,0.3: <kd> 0.4,0.5,0.6:\n"
       "<ks> 0.7,0.8,0.9: <n> 10: <ni> 1.5:\n";
-  const std::string text = answer(labelled);
-  EXPECT_EQ(text.substr(text.rfind("f.txt")),
-            "f.txt:4:32: error: 1 value is left over after the last of 1 sphere\n"
-            "  <ks> 0.7,0.8,0.9: <n> 10: <ni> 1.5:\n"
-            "                                 ^\n"
-            "  line 3 has 2 values for radius of sphere 1, not 1; ',' and ':' end a value, so a "
-            "decimal comma "
-            "(0,6) makes two values of one: write 0.6\n");
+  EXPECT_EQ(
+      answer(labelled),
+      "f.txt:3:10: note: 2 values stand here, where radius of sphere 1 has 1\n"
+      "  <radius> 0,5: <k1> 0.6: <k2> 0.8: <ka> 0.1,0.2,0.…\n"
+      "           ^\n"
+      "  ',' and ':' end a value, so a decimal comma (0,6) makes two values of one: write 0.6\n"
+      "f.txt:3:10: error: radius of sphere 1 is 0: expected a number greater than 0\n"
+      "  <radius> 0,5: <k1> 0.6: <k2> 0.8: <ka> 0.1,0.2,0.…\n"
+      "           ^\n"
+      "f.txt:4:32: error: 1 value is left over after the last of 1 sphere\n"
+      "  <ks> 0.7,0.8,0.9: <n> 10: <ni> 1.5:\n"
+      "                                 ^\n"
+      "  a value too many stands before\n");
+}
+
+TEST(LabInput, KnowsAMissingValueByItsLabel) {
+  const std::string text = answer("<eye> 0,0,2: <size> 2: <resolution> 400: <light> 0,2: <N> 0:\n");
+  EXPECT_EQ(text.substr(0, text.find('\n')),
+            "f.txt:1:50: note: 2 values stand here, where x of the light has 3");
 }
 
 TEST(LabInput, WarnsOfValuesThatAreLeftOver) {

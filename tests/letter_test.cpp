@@ -19,6 +19,13 @@ TEST(Letter, IsThereForEverySurname) {
     }
 }
 
+TEST(Letter, CanBeALongText) {
+  EXPECT_GT(generate_letter("ABCDEFGHIJKLMNOPQRSTUVWXYZ abcdefghijklmnopqrstuvwxyz", {})
+                .value()
+                .spheres.size(),
+            200u);
+}
+
 TEST(Letter, HasMoreSpheresWithACaron) {
   EXPECT_GT(generate_letter("Č", {}).value().spheres.size(),
             generate_letter("C", {}).value().spheres.size() + 2);

@@ -82,7 +82,8 @@ TEST(Nff, SaysWhatIsWrongAndGoesOn) {
 }
 
 TEST(Nff, SaysWhatIsMissing) {
-  EXPECT_EQ(answer(""), "f.nff:1:1: error: the file has no view: expected 'v'\n  \n  ^\n");
+  EXPECT_EQ(answer("b 0 0 0"),
+            "f.nff:1:8: error: the file has no view: expected 'v'\n  b 0 0 0\n         ^\n");
   EXPECT_EQ(answer(kView + "s 0 0 0 1"),
             "f.nff:9:1: error: 's' has no material: expected 'f' before the first shape\n"
             "  s 0 0 0 1\n"

@@ -2,6 +2,7 @@
 // zraka: reads the words, runs a command, ends with its exit code.
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <string>
 #include <zraka/zraka.hpp>
 
@@ -14,7 +15,7 @@ namespace {
 std::string version_text() {
   std::string isas;
   for (const Isa isa : available_isas()) isas += fmt::format(" {}", name_of(isa));
-  return fmt::format("zraka {}\ninstruction sets built:{}\nthis machine has:{}\nin use: {}",
+  return fmt::format("zraka {}\ninstruction sets built: {}\nthis machine has:{}\nin use: {}",
                      ZRAKA_VERSION, ZRAKA_ISAS_BUILT, isas, isa_in_use());
 }
 
@@ -32,7 +33,18 @@ int run(int argc, char** argv) {
       "Every command has a --help of its own. Exit codes: 0 done, 1 bad input or failed output,\n"
       "2 wrong usage, 130 interrupted.");
   Command command;
-  for (const AddCommand add : kCommands) add(program, command);
+  std::string names;
+  bool known = argc < 2 || argv[1][0] == '-';
+  for (const AddCommand add : kCommands) {
+    const std::string name = add(program, command)->get_name();
+    names += (names.empty() ? "" : ", ") + name;
+    known = known || name == argv[1];
+  }
+  if (!known) {
+    fmt::print(stderr, "'{}' is no command: there are {}\nRun with --help for more information.\n",
+               argv[1], names);
+    return kWrongUsage;
+  }
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help and --version
@@ -41,7 +53,12 @@ int run(int argc, char** argv) {
     program.exit(wrong);
     return kWrongUsage;
   }
-  return command();
+  const int code = command();
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  Diagnostic problem;
+  problem.file = "standard output";
+  problem.message = "cannot be written";
+  return fail({problem});
 }
 
 }  // namespace

@@ -2,8 +2,11 @@
 // zraka render: a scene to a picture.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -21,6 +24,17 @@ struct Words : RenderWords {
   int bits = 8;
   std::string stats;  // "", "text" or "json"
 };
+
+/// Whoever asks for a.jpg would be surprised by a PNG in it.
+bool is_no_other_picture(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  for (const char* other :
+       {".jpg", ".jpeg", ".ppm", ".exr", ".bmp", ".tga", ".gif", ".tif", ".tiff", ".hdr", ".webp"})
+    if (std::equal(extension.begin(), extension.end(), other, other + std::strlen(other),
+                   [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; }))
+      return false;
+  return true;
+}
 
 struct Seconds {
   double load = 0, write = 0;
@@ -67,6 +81,13 @@ int run(const Words& words) {
   const auto since = [](auto start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
+  std::error_code ignored;
+  if (std::filesystem::equivalent(words.scene, words.output, ignored)) {
+    Diagnostic problem;
+    problem.file = words.output;
+    problem.message = "is the scene itself: the picture needs another name";
+    return fail({problem});
+  }
   Seconds seconds;
   const auto start = std::chrono::steady_clock::now();
   const Result<Scene> scene = words.load();
@@ -99,7 +120,10 @@ CLI::App* add_render(CLI::App& program, Command& command) {
   auto words = std::make_shared<Words>();
   CLI::App* app = program.add_subcommand("render", "render a scene to a picture");
   words->add_to(*app);
-  app->add_option("-o,--output", words->output, "the PNG to write")->required();
+  app->add_option("-o,--output", words->output, "the PNG to write; - is standard output")
+      ->required()
+      ->check(one_of("the name of a PNG, the one kind of picture that is written",
+                     is_no_other_picture));
   app->add_option("--stage", words->stage,
                   "up to which stage of the lab: 1…7, or silhouette, ambient, diffuse, specular,\n"
                   "shadows, reflection, refraction (default: all)")

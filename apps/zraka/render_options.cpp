@@ -19,8 +19,10 @@ CLI::Validator one_of(std::string what, bool (*accepts)(const std::string&)) {
 }
 
 std::optional<Stage> stage_named(const std::string& word) {
+  std::string plain;
+  for (const char c : word) plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
   for (std::size_t i = 0; i < kStageNames.size(); ++i)
-    if (word == kStageNames[i] || word == std::to_string(i + 1)) return static_cast<Stage>(i + 1);
+    if (plain == kStageNames[i] || word == std::to_string(i + 1)) return static_cast<Stage>(i + 1);
   return std::nullopt;
 }
 
@@ -33,7 +35,8 @@ void RenderWords::add_to(CLI::App& command) {
   command.add_option("--height", height, "height of the picture, in pixels")
       ->check(CLI::Range(1u, 1u << 20));
   command
-      .add_option("--max-depth", max_depth, "levels of rays after those from the eye (default 4)")
+      .add_option("--max-depth", max_depth,
+                  "levels of rays after those from the eye (default 4); each may double the time")
       ->check(CLI::Range(0, kMaxDepth));
   command
       .add_option(
@@ -50,7 +53,7 @@ void RenderWords::add_to(CLI::App& command) {
                   "side of the tiles that threads work on; 0 chooses; no pixel changes")
       ->check(CLI::Range(0, kMaxTile));
   command.add_option("--isa", isa, "instruction set: avx512, avx2 or portable; no pixel changes")
-      ->check(one_of("avx512, avx2, portable or oracle",
+      ->check(one_of("avx512, avx2 or portable",
                      [](const std::string& word) { return isa_named(word).has_value(); }));
   command.add_flag("-q,--quiet", quiet, "no progress bar, no warnings");
 }

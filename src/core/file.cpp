@@ -71,8 +71,10 @@ Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
     return failure(path, message);
   };
   if (known && S_ISDIR(status.st_mode)) return refuse("is a folder, not a file");
-  if (!standard_input && known && !S_ISREG(status.st_mode))
-    return refuse("is no regular file; use - to read from standard input");
+  if (!standard_input && known && !S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode))
+    return refuse("is no file that can be read: a device or a socket");
+  if (known && S_ISFIFO(status.st_mode))
+    ::fcntl(descriptor, F_SETFL, O_RDONLY);  // a writer may be slow
   const auto too_large = [&] { return fmt::format("is too large: over {} bytes", limit); };
   if (known && S_ISREG(status.st_mode) && static_cast<std::uint64_t>(status.st_size) > limit)
     return refuse(too_large());
@@ -94,6 +96,13 @@ Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
 
 Result<NewFile> NewFile::create(const std::string& path) {
   NewFile file;
+  if (path == "-") {
+    file.path_ = "standard output";
+    file.stream_ = ::fdopen(::dup(STDOUT_FILENO), "wb");
+    if (file.stream_ == nullptr)
+      return failure(file.path_, fmt::format("cannot be written: {}", reason()));
+    return file;
+  }
   // A link is written through, not replaced.
   std::error_code error;
   const auto target = std::filesystem::canonical(path, error);

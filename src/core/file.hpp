@@ -16,6 +16,7 @@ Result<std::string> read_file(const std::string& path, std::uint64_t limit);
 /// Without commit() nothing stays behind.
 class NewFile {
  public:
+  /// "-" is standard output; devices and pipes are written as they stand.
   static Result<NewFile> create(const std::string& path);
   NewFile(NewFile&& other) noexcept;
   NewFile& operator=(NewFile&&) = delete;

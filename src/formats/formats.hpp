@@ -10,12 +10,14 @@
 namespace zraka {
 
 struct Format {
-  const char* name;       ///< for people and --help
-  const char* extension;  ///< with its dot; "" where a format has none of its own
-  std::uint64_t largest;  ///< bytes that a file may have
+  const char* name;       ///< for people
+  std::uint64_t largest;  ///< bytes that a file may have; the first format's is the largest of all
+  bool (*looks_like)(std::string_view text);
   Result<ReadScene> (*parse)(std::string_view text, const std::string& name);
 };
 
+/// Does the text begin, comments aside, with a word of NFF that stands before shapes?
+bool looks_like_nff(std::string_view text);
 Result<ReadScene> parse_nff(std::string_view text, const std::string& name);
 Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name);
 

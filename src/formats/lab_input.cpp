@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/text.hpp"
 #include "formats/formats.hpp"
@@ -57,9 +58,9 @@ class Reader {
   std::uint64_t sphere_ = 0;     ///< which sphere, from 1; 0 in the head
   std::uint64_t announced_ = 0;  ///< how many spheres the file says it has
   bool count_known_ = false;
-  bool ended_ = false;         ///< no value is left in the file
-  std::size_t position_ = 0;   ///< of the last value
-  std::string comma_suspect_;  ///< where a label has more values than it should
+  bool ended_ = false;                 ///< no value is left in the file
+  std::size_t position_ = 0;           ///< of the last value
+  std::optional<Diagnostic> suspect_;  ///< where a label has other values than it should
 };
 
 Diagnostic Reader::problem(Severity severity, std::size_t position, std::string message,
@@ -101,24 +102,31 @@ void Reader::report_strays() {
   tokens_.strays.clear();
 }
 
-/// Notes where more values stand behind one label than the course's file has there: should the
-/// count of all values come out wrong, that is where a decimal comma is likely.
+/// Notes the first label behind which more or fewer values stand, on one line, than the course's
+/// file has there. By itself that is nothing; where the file goes out of step, it is the likely
+/// place.
 void Reader::watch_labels(const Token& token) {
-  if (!token.labelled || !comma_suspect_.empty()) return;
+  if (!token.labelled || suspect_) return;
   const auto [field, i] =
       sphere_ == 0 ? lab::field_at(lab::kHead, value_) : lab::field_at(lab::kSphere, value_);
   if (i != 0) return;
   const std::size_t here = tokens_.position();
   const std::size_t strays = tokens_.strays.size();
+  const std::size_t line_end = std::min(text_.find('\n', token.position), text_.size());
   std::size_t values = 1;
   Token ahead;
-  while (values <= 2 * field.size && tokens_.next(ahead) && !ahead.labelled) ++values;
+  while (values <= 2 * field.size && tokens_.next(ahead) && !ahead.labelled &&
+         ahead.position < line_end)
+    ++values;
+  const bool on_one_line = ahead.labelled || ahead.position >= line_end;
   tokens_.rewind(here);
   tokens_.strays.resize(strays);
-  if (values <= field.size || values > 2 * field.size) return;
-  comma_suspect_ =
-      fmt::format("line {} has {} values for {}, not {}; {}", places_.at(token.position).line,
-                  values, name_of_value(), field.size, kDecimalComma);
+  if (values == field.size || values > 2 * field.size || !on_one_line || !parse_number(token.text))
+    return;
+  suspect_ = problem(Severity::note, token.position,
+                     fmt::format("{} value{} here, where {} has {}", values,
+                                 values == 1 ? " stands" : "s stand", name_of_value(), field.size),
+                     values > field.size ? kDecimalComma : "what follows is out of step");
 }
 
 /// The next value; 0, with an error, where there is something else. False at the end of the file.
@@ -137,8 +145,8 @@ bool Reader::next_value(double& value) {
   if (!more) {
     ended_ = true;
     if (!unclosed && (sphere_ == 0 || count_known_)) {
-      std::string hint = comma_suspect_;
-      if (hint.empty() && sphere_ > 0)
+      std::string hint;
+      if (sphere_ > 0)
         hint = fmt::format(
             "{} of {} spheres are complete, and {} of the {} values of sphere {} are there",
             sphere_ - 1, announced_, value_, +lab::kSphereValues, sphere_);
@@ -197,8 +205,7 @@ void Reader::read_count(double value) {
   if (value > static_cast<double>(room)) {
     error(position_,
           fmt::format("number of spheres is {}, but the rest of the file has room for {} at most",
-                      value, room),
-          comma_suspect_);
+                      value, room));
     return;
   }
   announced_ = static_cast<std::uint64_t>(value);
@@ -291,10 +298,10 @@ void Reader::check_rest() {
   const std::string message =
       fmt::format("{} value{} left over after the last of {} sphere{}", extra,
                   extra == 1 ? " is" : "s are", announced_, announced_ == 1 ? "" : "s");
-  if (comma_suspect_.empty())
+  if (!suspect_)
     warn(first, message, fmt::format("is the number of spheres right? {}", kDecimalComma));
   else
-    error(first, message, comma_suspect_);
+    error(first, message, "a value too many stands before");
 }
 
 /// Whether the file can be text at all; one clear answer is better than thousands.
@@ -331,6 +338,8 @@ Result<ReadScene> Reader::read() {
     if (!read_sphere()) break;
   }
   if (!ended_ && count_known_) check_rest();
+  // The cause first, then what came of it.
+  if (!errors_.empty() && suspect_) errors_.insert(errors_.begin(), *suspect_);
   if (!errors_.empty()) return tl::make_unexpected(std::move(errors_));
   return ReadScene{std::move(scene_), std::move(warnings_)};
 }

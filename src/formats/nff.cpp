@@ -337,6 +337,19 @@ Result<ReadScene> Reader::read() {
 
 }  // namespace
 
+bool looks_like_nff(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const std::string_view words = trimmed(line);
+    if (!words.empty() && words.front() != '#')
+      return words == "v" ||
+             ((words.front() == 'b' || words.front() == 'l' || words.front() == 'f') &&
+              words.size() > 1 && (words[1] == ' ' || words[1] == '\t'));
+    text.remove_prefix(std::min(text.size(), line.size() + 1));
+  }
+  return false;
+}
+
 Result<ReadScene> parse_nff(std::string_view text, const std::string& name) {
   return Reader(text, name).read();
 }

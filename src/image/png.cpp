@@ -31,6 +31,7 @@ bool write_rows(png_structp png, png_infop info, std::FILE* stream, const Image&
                 const RowQuantizer& quantizer, int bits, unsigned char* row) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng's way
   png_init_io(png, stream);
+  png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
   // Level 2 with the SUB filter is 4 times as fast as libpng's default and hardly larger.
   png_set_compression_level(png, 2);
   png_set_filter(png, 0, PNG_FILTER_SUB);
