@@ -302,6 +302,26 @@ TEST(Render, ReportsProgressUpToTheLastPixel) {
   EXPECT_EQ(all, 10000u);
 }
 
+TEST(Render, LightsFromAnyDistance) {
+  Scene scene = one_sphere({.ambient = {0, 0, 0}, .diffuse = {1, 1, 1}});
+  for (const double away : {1e3, 1e15, 1e25, 1e100}) {
+    scene.lights[0].position = {0, 0, away};
+    expect_pixel(pixel_of(scene, lab(), 50, 50), 1, 1, 1, 1e-4);
+  }
+}
+
+TEST(Render, OutlivesScenesOfAnySize) {
+  for (const double size : {1e-320, 1e-300, 1e-30, 1e30, 1e99}) {
+    Scene scene = lab_scene(16);
+    for (int i = 0; i < 17; ++i) add_sphere(scene, {0, size, 0}, size / 2, {});
+    EXPECT_TRUE(render(scene, lab())) << size;
+  }
+  Scene scene = lab_scene(16);
+  for (int i = 0; i < 17; ++i) add_sphere(scene, {0, 1e308, 0}, 1e308, {});
+  EXPECT_EQ(render(scene, lab()).error().front().message,
+            "sphere 1: it reaches farther than 1e+100 from the origin");
+}
+
 TEST(Render, RefusesWhatMakesNoSense) {
   const auto error = [](const Scene& scene, const RenderOptions& options) {
     const Result<Rendering> rendering = render(scene, options);

@@ -10,7 +10,9 @@ namespace zraka {
 namespace {
 
 TEST(Picture, HasTheSameBitsHoweverItIsComputed) {
-  for (const NamedScene& named : test_scenes(80))
+  std::vector<NamedScene> scenes = test_scenes(80);
+  scenes.push_back({"noise", noisy_scene(80)});
+  for (const NamedScene& named : scenes)
     for (const ProfileName profile : {ProfileName::lab, ProfileName::physical}) {
       RenderOptions options{.profile = profile_of(profile)};
       options.isa = Isa::portable;

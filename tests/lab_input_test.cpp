@@ -265,6 +265,16 @@ TEST(LabInput, StopsAtTooManyProblems) {
   EXPECT_EQ(read.error().back().message, "too many problems; the rest of the file is not read");
 }
 
+TEST(LabInput, SaysOnlySoMuch) {
+  const Result<ReadScene> brackets = parse_scene(std::string(100000, '>'), "f.txt");
+  ASSERT_FALSE(brackets);
+  EXPECT_LE(brackets.error().size(), 102u);
+  std::string text = kHead + "2000:";
+  for (int i = 0; i < 2000; ++i)
+    text += "1,2,-3:0.5:7:0.8:0.1,0.2,0.3:0.4,0.5,0.6:0.7,0.8,0.9:10:1.5:";
+  EXPECT_EQ(parse_scene(text, "f.txt").value().warnings.size(), 101u);
+}
+
 TEST(LabInput, ComesBackAsItWasWritten) {
   const Scene s = scene("0.1,0.2,3:4:500:6,7,8:1:" + kSphere);
   const std::string text = write_lab_input(s).value();

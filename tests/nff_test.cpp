@@ -175,6 +175,13 @@ TEST(Polygon, FacesAnyWay) {
 
 TEST(Polygon, ThatIsNoneEndsTheWork) {
   EXPECT_TRUE(triangulate({{0, 0, 0}, {1, 0, 0}}).empty());
+  std::vector<Vec3> star;  // with a small loop the other way round its middle: no corner is an ear
+  for (int i = 0; i < 1501; ++i)
+    star.push_back({std::cos(750 * 2 * M_PI * i / 1501), std::sin(750 * 2 * M_PI * i / 1501), 0});
+  for (int i = 0; i < 200; ++i)
+    star.push_back(
+        {0.001 * std::cos(-2 * M_PI * i / 200), 0.001 * std::sin(-2 * M_PI * i / 200), 0});
+  triangulate(star);
   triangulate({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}});    // a line
   triangulate({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}});               // a point
   triangulate({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 2, 0}});  // crosses itself

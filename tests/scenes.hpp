@@ -81,6 +81,33 @@ inline Scene mixed_scene(std::uint32_t resolution = 100) {
   return scene;
 }
 
+/// Cones as flat as paper and triangles seen edge-on: their intersections are all rounding.
+inline Scene noisy_scene(std::uint32_t resolution = 100) {
+  Scene scene = lab_scene(resolution);
+  scene.materials = {{.diffuse = {0.7, 0.5, 0.3}, .reflection = 0.3}};
+  std::mt19937 random(4);
+  const auto unit = [&] { return static_cast<double>(random() % 100000) / 100000; };
+  for (int i = 0; i < 600; ++i) {
+    const double x = 3 * unit() - 1.5, y = 3 * unit() - 1.5, z = -1 - 2 * unit();
+    const double height = std::pow(10.0, -8 + 6 * unit());
+    scene.cones.push_back({{{x, y, z},
+                            0.05 + 0.15 * unit(),
+                            {x + height * unit(), y + height, z + height * unit()},
+                            0},
+                           0});
+  }
+  // In a plane through the eye at (0, 0, 2).
+  const auto in_plane = [&] {
+    const double a = 4 * unit() - 2, b = -4 * unit();
+    return Vec3{a, 0.3 * a + 0.2 * b, 2 + b};
+  };
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 a = in_plane(), b = in_plane(), c = in_plane();
+    scene.triangles.push_back({{a, b, c}, 0});
+  }
+  return scene;
+}
+
 /// The project's own scenes, and some that are made here.
 inline std::vector<NamedScene> test_scenes(std::uint32_t resolution = 200) {
   std::vector<NamedScene> scenes;

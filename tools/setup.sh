@@ -65,7 +65,7 @@ build() {
     [ "$preset" = clang ] || check_compiler
     cmake --preset "$preset" -DZRAKA_TESTS="$tests" >"$log" 2>&1 || {
       cat "$log" >&2
-      rm -f "build/$preset/CMakeCache.txt"
+      rm -f "build/$preset/CMakeCache.txt" "build/$preset/build.ninja"
       give_up "CMake could not prepare the build; its words are above."
     }
   fi

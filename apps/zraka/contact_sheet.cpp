@@ -48,7 +48,9 @@ void paste(const Image& from, Image& onto, std::uint32_t left, std::uint32_t top
 void write_caption(const Font& font, const std::string& caption, Image& onto, std::uint32_t left,
                    std::uint32_t top, std::uint32_t width) {
   const Result<Coverage> ink = font.draw(caption, kCaptionPixels);
-  if (!ink || ink->width > static_cast<int>(width)) return;
+  if (!ink || ink->width > static_cast<int>(width) ||
+      ink->height > static_cast<int>(kCaptionHeight))
+    return;
   // Letters without descenders stand on one line because each caption's ink is centred in its
   // strip.
   const std::uint32_t down = (kCaptionHeight - static_cast<std::uint32_t>(ink->height)) / 2;

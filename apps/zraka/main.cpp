@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <new>
 #include <string>
 #include <zraka/zraka.hpp>
 
@@ -53,7 +54,14 @@ int run(int argc, char** argv) {
     program.exit(wrong);
     return kWrongUsage;
   }
-  const int code = command();
+  int code = kFailed;
+  try {
+    code = command();
+  } catch (const std::bad_alloc&) {
+    Diagnostic problem;
+    problem.message = "there is not enough memory for this";
+    return fail({problem});
+  }
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   Diagnostic problem;
   problem.file = "standard output";

@@ -72,11 +72,11 @@ Result<Scene> RenderWords::load() const {
     right = {right.x * wider, right.y * wider, right.z * wider};
     loaded.resolution = {width, height};
   } else if (width > 0) {
-    loaded.resolution = {width,
-                         static_cast<std::uint32_t>(std::max(1.0, std::round(width / aspect)))};
+    loaded.resolution = {
+        width, static_cast<std::uint32_t>(std::clamp(std::round(width / aspect), 1.0, 4e9))};
   } else if (height > 0) {
-    loaded.resolution = {static_cast<std::uint32_t>(std::max(1.0, std::round(height * aspect))),
-                         height};
+    loaded.resolution = {
+        static_cast<std::uint32_t>(std::clamp(std::round(height * aspect), 1.0, 4e9)), height};
   }
   return std::move(loaded);
 }

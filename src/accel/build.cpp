@@ -261,8 +261,9 @@ std::unique_ptr<BuildNode> build_node(const Range& whole, int depth) {
     float most = -1;
     for (Range& range : ranges) {
       if (can_be_leaf(range, kSmallLeaf)) continue;
-      const float cost = range.bounds.half_area() * static_cast<float>(range.size());
-      if (cost > most) most = cost, widest = &range;
+      const auto size = static_cast<float>(range.size());
+      const float cost = depth < kFreeDepth ? range.bounds.half_area() * size : size;
+      if (widest == nullptr || cost > most) most = cost, widest = &range;
     }
     if (widest == nullptr) break;
     auto [left, right] =

@@ -3,9 +3,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -57,6 +60,8 @@ void remove_incomplete_files() noexcept {
 }
 
 Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
+  constexpr std::uint64_t kMostOfStream = std::uint64_t{1}
+                                          << 32;  // whose size nobody knows beforehand
   const bool standard_input = path == "-";
   // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
   const int descriptor = standard_input ? ::dup(STDIN_FILENO)
@@ -73,8 +78,13 @@ Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
   if (known && S_ISDIR(status.st_mode)) return refuse("is a folder, not a file");
   if (!standard_input && known && !S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode))
     return refuse("is no file that can be read: a device or a socket");
-  if (known && S_ISFIFO(status.st_mode))
-    ::fcntl(descriptor, F_SETFL, O_RDONLY);  // a writer may be slow
+  if (!known || !S_ISREG(status.st_mode)) limit = std::min(limit, kMostOfStream);
+  if (!standard_input && known && S_ISFIFO(status.st_mode)) {
+    // A writer may come late and be slow, but not for ever.
+    pollfd wanted{descriptor, POLLIN, 0};
+    ::poll(&wanted, 1, 1000);
+    ::fcntl(descriptor, F_SETFL, O_RDONLY);
+  }
   const auto too_large = [&] { return fmt::format("is too large: over {} bytes", limit); };
   if (known && S_ISREG(status.st_mode) && static_cast<std::uint64_t>(status.st_size) > limit)
     return refuse(too_large());
@@ -121,12 +131,19 @@ Result<NewFile> NewFile::create(const std::string& path) {
   if (exists && ::access(file.path_.c_str(), W_OK) != 0)
     return failure(path, fmt::format("cannot be written: {}", reason()));
   std::string name = file.path_ + ".XXXXXX";
+  // No signal comes between the file and the note that it is there.
+  sigset_t all, before;
+  sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);
   const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+  const int problem = errno;
+  if (descriptor >= 0) remember(name);
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  errno = problem;
   if (descriptor < 0)
     return failure(path, fmt::format("cannot be written: {}", reason()),
                    errno == ENOENT ? "does its folder exist?" : "");
   file.temporary_ = name;
-  remember(name);
   // The permissions of the file that is replaced, else those that the user's mask gives a new one.
   const mode_t mask = ::umask(0);
   ::umask(mask);

@@ -35,6 +35,8 @@ Shown show_character(std::string_view text) {
   const std::size_t length = character_length(text);
   const auto first = static_cast<unsigned char>(text.front());
   if (length == 0 || first == 0x7F || (first < 0x20 && first != '\t')) return {kReplacement, 1};
+  if (first == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0)
+    return {kReplacement, 2};  // C1 controls
   return {text.substr(0, length), length};
 }
 

@@ -59,6 +59,7 @@ class Reader {
   std::uint64_t announced_ = 0;  ///< how many spheres the file says it has
   bool count_known_ = false;
   bool ended_ = false;                 ///< no value is left in the file
+  std::size_t line_end_ = 0;           ///< of the line of the last label
   std::size_t position_ = 0;           ///< of the last value
   std::optional<Diagnostic> suspect_;  ///< where a label has other values than it should
 };
@@ -78,6 +79,9 @@ void Reader::error(std::size_t position, std::string message, std::string hint) 
   errors_.push_back(problem(Severity::error, position, std::move(message), std::move(hint)));
 }
 void Reader::warn(std::size_t position, std::string message, std::string hint) {
+  if (warnings_.size() == kEnoughErrors)
+    message = "more warnings of this kind are left out", hint.clear();
+  if (warnings_.size() > kEnoughErrors) return;
   warnings_.push_back(problem(Severity::warning, position, std::move(message), std::move(hint)));
 }
 
@@ -112,13 +116,14 @@ void Reader::watch_labels(const Token& token) {
   if (i != 0) return;
   const std::size_t here = tokens_.position();
   const std::size_t strays = tokens_.strays.size();
-  const std::size_t line_end = std::min(text_.find('\n', token.position), text_.size());
+  if (line_end_ < token.position)
+    line_end_ = std::min(text_.find('\n', token.position), text_.size());
   std::size_t values = 1;
   Token ahead;
   while (values <= 2 * field.size && tokens_.next(ahead) && !ahead.labelled &&
-         ahead.position < line_end)
+         ahead.position < line_end_)
     ++values;
-  const bool on_one_line = ahead.labelled || ahead.position >= line_end;
+  const bool on_one_line = ahead.labelled || ahead.position >= line_end_;
   tokens_.rewind(here);
   tokens_.strays.resize(strays);
   if (values == field.size || values > 2 * field.size || !on_one_line || !parse_number(token.text))

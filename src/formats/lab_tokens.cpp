@@ -24,7 +24,7 @@ bool Tokens::next(Token& token) {
       continue;
     }
     if (c == '>') {
-      strays.push_back({'>', at_});
+      if (strays.size() < kMostStrays) strays.push_back({'>', at_});
       continue;
     }
     if (c == ',' || c == ':') {

@@ -26,12 +26,13 @@ struct StrayBracket {
 /// Reads one token after the other.
 class Tokens {
  public:
+  static constexpr std::size_t kMostStrays = 100;
   explicit Tokens(std::string_view text) : text_(text) {}
   /// False at the end of the file: after the last separator only space and labels are left.
   bool next(Token& token);
   std::size_t position() const { return at_; }
   void rewind(std::size_t position) { at_ = position; }
-  /// Brackets without partners, as far as the file has been read.
+  /// Brackets without partners, as far as the file has been read, but no more than kMostStrays.
   std::vector<StrayBracket> strays;
 
  private:

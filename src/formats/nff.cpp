@@ -80,7 +80,7 @@ class Reader {
   Scene scene_;
   Diagnostics errors_, warnings_;
   bool viewed_ = false, inside_out_said_ = false;
-  std::size_t plain_lights_ = 0;
+  std::vector<std::size_t> plain_lights_;
   Vec3 from_, to_, up_;
   double angle_ = 45;
   std::optional<std::uint32_t> material_;
@@ -115,7 +115,7 @@ std::string_view Reader::word_at(const char* at) const {
 bool Reader::number(double& value, const char* what) {
   skip_space();
   if (at_ == end_) return fail(at_, fmt::format("the file ends: expected {}", what));
-  const char* const stop = read_number(at_ + (*at_ == '+' ? 1 : 0), end_, value);
+  const char* const stop = read_number(at_, end_, value);
   const auto ends = [&](const char* p) {
     return p == end_ || *p == ' ' || *p == '\n' || *p == '\t' || *p == '\r' || *p == '#';
   };
@@ -193,8 +193,7 @@ bool Reader::read_light() {
         !number(light.color.b, "the light's blue"))
       return false;
   } else {
-    ++plain_lights_;
-    light.color = {-1, -1, -1};  // known once all lights are
+    plain_lights_.push_back(scene_.lights.size());  // the intensity is known once all lights are
   }
   scene_.lights.push_back(light);
   return true;
@@ -316,8 +315,8 @@ void Reader::finish() {
   // The databases' rule, for formats without intensities.
   const auto n = static_cast<double>(std::max<std::size_t>(1, scene_.lights.size()));
   const double intensity = std::sqrt(n) / (2 * n);
-  for (PointLight& light : scene_.lights)
-    if (light.color.r < 0) light.color = {intensity, intensity, intensity};
+  for (const std::size_t i : plain_lights_)
+    scene_.lights[i].color = {intensity, intensity, intensity};
   scene_.ambient_light = {intensity, intensity, intensity};
 }
 
@@ -342,9 +341,9 @@ bool looks_like_nff(std::string_view text) {
     const std::string_view line = text.substr(0, text.find('\n'));
     const std::string_view words = trimmed(line);
     if (!words.empty() && words.front() != '#')
-      return words == "v" ||
-             ((words.front() == 'b' || words.front() == 'l' || words.front() == 'f') &&
-              words.size() > 1 && (words[1] == ' ' || words[1] == '\t'));
+      return words == "v" || ((words.front() == 'v' || words.front() == 'b' ||
+                               words.front() == 'l' || words.front() == 'f') &&
+                              words.size() > 1 && (words[1] == ' ' || words[1] == '\t'));
     text.remove_prefix(std::min(text.size(), line.size() + 1));
   }
   return false;

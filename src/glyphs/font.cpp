@@ -106,7 +106,8 @@ Result<Coverage> Font::draw(std::string_view text, int pixels) const {
     FT_Vector kerning{0, 0};
     if (previous != 0) FT_Get_Kerning(face, previous, index, FT_KERNING_DEFAULT, &kerning);
     previous = index;
-    if (FT_Load_Glyph(face, index, FT_LOAD_RENDER | FT_LOAD_NO_HINTING) != 0)
+    if (FT_Load_Glyph(face, index, FT_LOAD_RENDER | FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) != 0 ||
+        face->glyph->bitmap.pixel_mode != FT_PIXEL_MODE_GRAY)
       return failure(face_->path,
                      fmt::format("cannot draw U+{:04X}", static_cast<unsigned>(point)));
     const FT_GlyphSlot slot = face->glyph;

@@ -34,7 +34,8 @@ struct Frame {
     if (reach > 0 && std::isfinite(reach)) {
       int exponent = 0;
       const double mantissa = std::frexp(reach, &exponent);  // [½, 1)
-      frame.scale = std::ldexp(1.0, mantissa == 0.5 ? 1 - exponent : -exponent);
+      frame.scale =
+          std::ldexp(1.0, std::clamp(mantissa == 0.5 ? 1 - exponent : -exponent, -1000, 1000));
     }
     return frame;
   }

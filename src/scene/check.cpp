@@ -2,6 +2,7 @@
 // What can be wrong with a scene that a program has put together.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 #include <zraka/render.hpp>
 
@@ -19,6 +20,9 @@ std::uint64_t Scene::shape_count() const {
 
 namespace {
 
+/// Squares and products of what is this far stay finite.
+constexpr double kFarthest = 1e100;
+
 bool finite_material(const Material& m) {
   return finite(m.ambient) && finite(m.diffuse) && finite(m.specular) && finite(m.shininess) &&
          finite(m.reflection) && finite(m.refraction) && finite(m.refractive);
@@ -31,6 +35,14 @@ void check_objects(const Scene& scene, const std::vector<Object<Shape>>& objects
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (const char* problem = Traits::check(objects[i].shape))
       complain(fmt::format("{} {}: {}", Traits::kName, i + 1, problem));
+    const Box box = Traits::bounds(objects[i].shape);
+    for (const double side :
+         {box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z})
+      if (!(std::fabs(side) <= kFarthest)) {
+        complain(fmt::format("{} {}: it reaches farther than {} from the origin", Traits::kName,
+                             i + 1, kFarthest));
+        break;
+      }
     if (objects[i].material >= scene.materials.size())
       complain(fmt::format("{} {}: it has material {}, but there are {}", Traits::kName, i + 1,
                            objects[i].material, scene.materials.size()));
@@ -64,6 +76,10 @@ Diagnostics check(const Scene& scene) {
   if (scene.shape_count() > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max()))
     complain(fmt::format("{} shapes are too many: at most {} fit", scene.shape_count(),
                          std::numeric_limits<std::int32_t>::max()));
+  constexpr std::uint64_t kMostMaterials = std::uint64_t{1} << 26;
+  if (scene.materials.size() > kMostMaterials || scene.lights.size() > kMostMaterials)
+    complain(fmt::format("{} materials and {} lights are too many: at most {} of each fit",
+                         scene.materials.size(), scene.lights.size(), kMostMaterials));
 #define ZRAKA_CHECK(Type, plural) check_objects(scene, scene.plural, complain);
   ZRAKA_SHAPES(ZRAKA_CHECK)
 #undef ZRAKA_CHECK

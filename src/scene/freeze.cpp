@@ -26,6 +26,15 @@ V3<R> narrow(const Color& c) {
   return {narrow<R>(c.r), narrow<R>(c.g), narrow<R>(c.b)};
 }
 
+/// A light from so far that its direction is the same all over the scene: nearer, where squares
+/// stay finite.
+Vec3 within_reach(const Vec3& light) {
+  constexpr double kFar = 0x1p+40;
+  const double away = std::max({std::fabs(light.x), std::fabs(light.y), std::fabs(light.z)});
+  return away > kFar ? Vec3{light.x / away * kFar, light.y / away * kFar, light.z / away * kFar}
+                     : light;
+}
+
 template <class R>
 FrozenCamera<R> freeze_camera(const Scene& scene, const Profile& profile, const Frame& frame) {
   const Camera& camera = scene.camera;
@@ -131,7 +140,8 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
   frozen.ambient_light = narrow<R>(scene.ambient_light);
 
   for (const PointLight& light : scene.lights)
-    store->lights.push_back({narrow<R>(frame.point(light.position)), narrow<R>(light.color)});
+    store->lights.push_back(
+        {narrow<R>(within_reach(frame.point(light.position))), narrow<R>(light.color)});
   frozen.lights = store->lights.data();
   frozen.light_count = static_cast<std::int32_t>(store->lights.size());
 

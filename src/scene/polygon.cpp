@@ -51,6 +51,10 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const std::vector<Vec3>& c
   // Ears are cut off one by one (Meisters 1975): corners that turn left and have no other corner in
   // their triangle. Only corners that turn right can be in the way, and there are none in a convex
   // polygon.
+  // A polygon that crosses itself may have no ears; then looking for one at every corner again and
+  // again must end.
+  std::size_t looks = 0;
+  const std::size_t most_looks = 8 * corners.size() * corners.size() + 1000;
   std::size_t at = 0, tried = 0;
   while (left.size() > 3) {
     const std::size_t n = left.size();
@@ -58,12 +62,13 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const std::vector<Vec3>& c
     const Point &a = flat[left[before]], &b = flat[left[at]], &c = flat[left[after]];
     bool ear = turn(a, b, c) > 0;
     for (std::size_t i = 0; ear && i < n; ++i) {
+      ++looks;
       if (i == before || i == at || i == after) continue;
       const Point& p = flat[left[i]];
       if (turn(flat[left[(i + n - 1) % n]], p, flat[left[(i + 1) % n]]) < 0 && inside(p, a, b, c))
         ear = false;
     }
-    if (!ear && tried < n) {
+    if (!ear && tried < n && looks < most_looks) {
       ++tried;
       at = after;
       continue;

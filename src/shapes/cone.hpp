@@ -81,9 +81,16 @@ struct ShapeLanes<Cone, L> {
     const F q = -(b + select(b >= F(0.0f), root, -root));
     // The roots are q/a and c/q; the sides' ends and the mirror cone beyond the tip are cut off.
     const F far(0x1p+60f);
+    const F margin = hit_margin<L>(origin);
     const auto valid = [&](const F& x) {
       const F height = y + x * dy;
-      const auto on_side = both(abs(height) <= s[8], s[6] + s[7] * height >= F(0.0f));
+      const F at_height = s[6] + s[7] * height;
+      // For flat cones and along the side the roots are noise; a hit must lie within the solid
+      // cone.
+      const V3<F> across = p + dp * x;
+      const F reach = at_height + margin;
+      const auto on_side = both(both(abs(height) <= s[8], at_height >= F(0.0f)),
+                                dot(across, across) <= reach * reach);
       const auto ahead = x + shift > F(0.0f);
       return select(both(both(on_side, ahead), discriminant >= F(0.0f)), x + shift, far);
     };

@@ -7,6 +7,9 @@
 #include "math/box.hpp"
 #include "math/frame.hpp"
 #include "math/vec.hpp"
+#ifdef ZRAKA_ISA
+#include "math/lanes.hpp"
+#endif
 
 namespace zraka {
 
@@ -31,6 +34,15 @@ namespace ZRAKA_ISA {
 /// where s are the shape's kReals numbers: one shape for all lanes, or a shape for each.
 template <class Shape, class L>
 struct ShapeLanes;
+
+/// How far beyond a shape's exact surface its arithmetic may put a hit: a quarter of what the boxes
+/// of the hierarchy are enlarged by (references_to() in scene/freeze.cpp), for rays from the eye as
+/// for those from within the scene.
+template <class L>
+ZRAKA_INLINE typename L::F hit_margin(const V3<typename L::F>& origin) {
+  using F = typename L::F;
+  return F(0x1p-22f) * (F(1.0f) + max(abs(origin.x), max(abs(origin.y), abs(origin.z))));
+}
 
 /// A point of a surface in the engine's frame, moved onto the surface as well as its numbers can
 /// say.

@@ -74,7 +74,16 @@ struct TriangleLanes {
     if (!any(met)) return F(-1.0f);
     const F slope = dot(seen.normal, direction);
     const F t = dot(seen.normal, seen.a) / slope;
-    return select(both(met, abs(slope) > F(0.0f)), t, F(-1.0f));
+    // Seen edge-on all of this is noise; what counts as a hit must lie within the triangle's
+    // bounds, for only then does every way through the hierarchy find it.
+    const F margin = hit_margin<L>(origin);
+    const auto within = [&](const F& p, const F& a, const F& b, const F& c) {
+      return both(p >= min(a, min(b, c)) - margin, p <= max(a, max(b, c)) + margin);
+    };
+    const auto bounded = both(within(direction.x * t, seen.a.x, seen.b.x, seen.c.x),
+                              both(within(direction.y * t, seen.a.y, seen.b.y, seen.c.y),
+                                   within(direction.z * t, seen.a.z, seen.b.z, seen.c.z)));
+    return select(both(met, bounded), t, F(-1.0f));
   }
 
   /// `point` along the ray onto the plane, and the offset that clears it; the normal is not set.
