@@ -11,7 +11,7 @@ ZRAKA_INLINE void nearest_of(const FrozenShapes<typename L::Real, Shape>& shapes
                              RayLanes<L>& ray) {
   using F = typename L::F;
   for (std::int32_t i = 0; i < shapes.count; ++i) {
-    F shape[ShapeTraits<Shape>::kReals];
+    F shape[ShapeTraits<Shape>::kHitReals];
     broadcast_shape<L>(shapes, i, shape);
     const F t = ShapeLanes<Shape, L>::intersect(shape, ray.origin, ray.direction);
     const auto nearer =
@@ -35,7 +35,7 @@ ZRAKA_INLINE typename L::M blocked_by(const FrozenShapes<typename L::Real, Shape
                                       typename L::M wanted) {
   using F = typename L::F;
   for (std::int32_t i = 0; i < shapes.count; ++i) {
-    F shape[ShapeTraits<Shape>::kReals];
+    F shape[ShapeTraits<Shape>::kHitReals];
     broadcast_shape<L>(shapes, i, shape);
     const F t = ShapeLanes<Shape, L>::intersect(shape, ray.origin, ray.direction);
     blocked = either(blocked, both(t > F(0), t < ray.t));

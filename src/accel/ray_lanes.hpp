@@ -45,15 +45,16 @@ ZRAKA_INLINE std::int32_t id_of(const FrozenScene<R>& scene, std::int32_t slot) 
 template <class L, class Shape>
 ZRAKA_INLINE void broadcast_shape(const FrozenShapes<typename L::Real, Shape>& shapes,
                                   std::int32_t i,
-                                  typename L::F (&out)[ShapeTraits<Shape>::kReals]) {
-  for (int k = 0; k < ShapeTraits<Shape>::kReals; ++k) out[k] = typename L::F(shapes.column[k][i]);
+                                  typename L::F (&out)[ShapeTraits<Shape>::kHitReals]) {
+  for (int k = 0; k < ShapeTraits<Shape>::kHitReals; ++k)
+    out[k] = typename L::F(shapes.column[k][i]);
 }
 
 /// The shapes [i, i + kWidth), one a lane.
 template <class L, class Shape>
 ZRAKA_INLINE void load_shapes(const FrozenShapes<typename L::Real, Shape>& shapes, std::int32_t i,
-                              typename L::F (&out)[ShapeTraits<Shape>::kReals]) {
-  for (int k = 0; k < ShapeTraits<Shape>::kReals; ++k) out[k] = L::load(shapes.column[k] + i);
+                              typename L::F (&out)[ShapeTraits<Shape>::kHitReals]) {
+  for (int k = 0; k < ShapeTraits<Shape>::kHitReals; ++k) out[k] = L::load(shapes.column[k] + i);
 }
 
 /// Tests one shape against the rays in lanes; a nearer hit, or an equal one of a lower id, replaces
@@ -63,7 +64,7 @@ ZRAKA_INLINE void meet(const FrozenScene<typename L::Real>& scene,
                        const FrozenShapes<typename L::Real, Shape>& shapes, std::int32_t i,
                        RayLanes<L>& ray) {
   using F = typename L::F;
-  F shape[ShapeTraits<Shape>::kReals];
+  F shape[ShapeTraits<Shape>::kHitReals];
   broadcast_shape<L>(shapes, i, shape);
   const F t = ShapeLanes<Shape, L>::intersect(shape, ray.origin, ray.direction);
   auto nearer = both(t > F(0), t <= ray.t);

@@ -11,7 +11,7 @@ struct ShapeTraits<Cone> {
   static constexpr const char* kName = "cone";
   /// Middle of the axis; unit axis; radius at the middle and its growth along the axis; half the
   /// axis' length.
-  static constexpr int kReals = 9;
+  static constexpr int kReals = 9, kHitReals = 9;
 
   /// Around both end discs; a disc of radius r and unit normal n reaches r·√(1 - n²) along each
   /// axis.

@@ -16,6 +16,7 @@ namespace zraka {
 /// Specialised by each shape with
 ///   kName                          for messages
 ///   kReals                         how many numbers the engine needs
+///   kHitReals                      how many of these, the first, intersect() needs
 ///   bounds(shape)                  a box around it, in world space
 ///   check(shape)                   what is wrong with its parameters, or nullptr
 ///   freeze(shape, frame, out)      the engine's numbers, in the engine's frame
@@ -31,7 +32,8 @@ namespace ZRAKA_ISA {
 ///                                          the origin; 0 or less, or NaN, where there is none
 ///   surface(s, point)                 the point moved onto the surface, its outward unit normal,
 ///   error bound
-/// where s are the shape's kReals numbers: one shape for all lanes, or a shape for each.
+/// where s are the shape's numbers, all or the first kHitReals: one shape for all lanes, or a shape
+/// for each.
 template <class Shape, class L>
 struct ShapeLanes;
 

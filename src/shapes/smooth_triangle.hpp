@@ -9,7 +9,7 @@ namespace zraka {
 template <>
 struct ShapeTraits<SmoothTriangle> {
   static constexpr const char* kName = "smooth triangle";
-  static constexpr int kReals = 18;  // corners, then their normals
+  static constexpr int kReals = 18, kHitReals = 9;  // corners, then their normals
 
   static Triangle flat(const SmoothTriangle& s) { return {s.a, s.b, s.c}; }
   static Box bounds(const SmoothTriangle& s) { return ShapeTraits<Triangle>::bounds(flat(s)); }
@@ -43,7 +43,7 @@ template <class L>
 struct ShapeLanes<SmoothTriangle, L> {
   using F = typename L::F;
 
-  static ZRAKA_INLINE F intersect(const F (&s)[18], const V3<F>& origin, const V3<F>& direction) {
+  static ZRAKA_INLINE F intersect(const F (&s)[9], const V3<F>& origin, const V3<F>& direction) {
     return TriangleLanes<L>::intersect(s, origin, direction);
   }
 

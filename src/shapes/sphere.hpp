@@ -17,7 +17,7 @@ struct ShapeTraits<Sphere> {
   static constexpr const char* kName = "sphere";
   /// Centre, radius, and an anchor: the point of the surface that is nearest to the engine's
   /// origin.
-  static constexpr int kReals = 7;
+  static constexpr int kReals = 7, kHitReals = 7;
 
   static Box bounds(const Sphere& s) {
     return {{s.center.x - s.radius, s.center.y - s.radius, s.center.z - s.radius},

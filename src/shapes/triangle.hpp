@@ -18,7 +18,7 @@ inline void put(const Vec3& v, double* out) {
 template <>
 struct ShapeTraits<Triangle> {
   static constexpr const char* kName = "triangle";
-  static constexpr int kReals = 9;  // corners
+  static constexpr int kReals = 9, kHitReals = 9;  // corners
 
   static Box bounds(const Triangle& s) {
     Box box;
@@ -55,34 +55,53 @@ struct TriangleLanes {
           normal(cross(b - a, c - a)) {}
   };
 
-  /// Volumes of the parallelepipeds that the direction spans with each edge, after Davidovič,
-  /// Engelhardt, Georgiev, Slusallek and Dachsbacher, "3D rasterization: a bridge between
-  /// rasterization and ray casting" (2012). The one of an edge is made of its two ends in a way
-  /// that only changes sign with their order, so neighbours agree on which of them a ray meets, and
-  /// none slips through between.
-  static ZRAKA_INLINE F edge(const V3<F>& p, const V3<F>& q, const V3<F>& direction) {
-    return dot(cross(q - p, p + q), direction);
+  /// Corners relative to the origin are sheared along the ray into a plane across the axis that it
+  /// follows most, after Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1)
+  /// (2013), here scaled so that nothing is divided. A corner comes out the same for all triangles
+  /// that it belongs to, and an edge function only changes sign with the order of its ends: so
+  /// neighbours agree on which of them a ray meets, and none slips through between.
+  static ZRAKA_INLINE F intersect(const F* s, const V3<F>& origin, const V3<F>& direction) {
+    const F x = abs(direction.x), y = abs(direction.y), z = abs(direction.z);
+    const auto along_z = both(z >= x, z >= y);
+    const auto along_y = but_not(y >= x, along_z);
+    const auto part = [](const F* p) { return V3<F>{p[0], p[1], p[2]}; };
+    const V3<F> a = part(s) - origin, b = part(s + 3) - origin, c = part(s + 6) - origin;
+    // Axes in a circle, the one that the ray follows last.
+    const auto turn_z = [](const V3<F>& v) { return v; };
+    const auto turn_y = [](const V3<F>& v) { return V3<F>{v.z, v.x, v.y}; };
+    const auto turn_x = [](const V3<F>& v) { return V3<F>{v.y, v.z, v.x}; };
+    if (all(along_z)) return intersect_turned(a, b, c, direction, turn_z, origin);
+    if (all(along_y)) return intersect_turned(a, b, c, direction, turn_y, origin);
+    if (!any(either(along_z, along_y))) return intersect_turned(a, b, c, direction, turn_x, origin);
+    const auto turn_each = [&](const V3<F>& v) {
+      return V3<F>{select(along_z, v.x, select(along_y, v.z, v.y)),
+                   select(along_z, v.y, select(along_y, v.x, v.z)),
+                   select(along_z, v.z, select(along_y, v.y, v.x))};
+    };
+    return intersect_turned(a, b, c, direction, turn_each, origin);
   }
 
-  static ZRAKA_INLINE F intersect(const F* s, const V3<F>& origin, const V3<F>& direction) {
-    const Seen seen(s, origin);
-    const F u = edge(seen.b, seen.c, direction), v = edge(seen.c, seen.a, direction),
-            w = edge(seen.a, seen.b, direction);
-    const auto inside = both(min(u, min(v, w)) >= F(0.0f), F(0.0f) <= max(u, max(v, w)));
-    const auto outside = both(max(u, max(v, w)) <= F(0.0f), F(0.0f) >= min(u, min(v, w)));
-    const auto met = either(inside, outside);
+  template <class Turn>
+  static ZRAKA_INLINE F intersect_turned(const V3<F>& seen_a, const V3<F>& seen_b,
+                                         const V3<F>& seen_c, const V3<F>& direction,
+                                         const Turn& turn, const V3<F>& origin) {
+    const V3<F> a = turn(seen_a), b = turn(seen_b), c = turn(seen_c), d = turn(direction);
+    const F ax = a.x * d.z - a.z * d.x, ay = a.y * d.z - a.z * d.y;
+    const F bx = b.x * d.z - b.z * d.x, by = b.y * d.z - b.z * d.y;
+    const F cx = c.x * d.z - c.z * d.x, cy = c.y * d.z - c.z * d.y;
+    const F u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
+    const auto met = either(min(u, min(v, w)) >= F(0.0f), max(u, max(v, w)) <= F(0.0f));
     if (!any(met)) return F(-1.0f);
-    const F slope = dot(seen.normal, direction);
-    const F t = dot(seen.normal, seen.a) / slope;
+    const F t = (u * a.z + v * b.z + w * c.z) / ((u + v + w) * d.z);
     // Seen edge-on all of this is noise; what counts as a hit must lie within the triangle's
     // bounds, for only then does every way through the hierarchy find it.
     const F margin = hit_margin<L>(origin);
-    const auto within = [&](const F& p, const F& a, const F& b, const F& c) {
-      return both(p >= min(a, min(b, c)) - margin, p <= max(a, max(b, c)) + margin);
+    const auto within = [&](const F& p, const F& one, const F& two, const F& three) {
+      return both(p >= min(one, min(two, three)) - margin, p <= max(one, max(two, three)) + margin);
     };
-    const auto bounded = both(within(direction.x * t, seen.a.x, seen.b.x, seen.c.x),
-                              both(within(direction.y * t, seen.a.y, seen.b.y, seen.c.y),
-                                   within(direction.z * t, seen.a.z, seen.b.z, seen.c.z)));
+    const auto bounded = both(within(direction.x * t, seen_a.x, seen_b.x, seen_c.x),
+                              both(within(direction.y * t, seen_a.y, seen_b.y, seen_c.y),
+                                   within(direction.z * t, seen_a.z, seen_b.z, seen_c.z)));
     return select(both(met, bounded), t, F(-1.0f));
   }
 
