@@ -16,7 +16,7 @@ ZRAKA_INLINE std::int32_t leaf_kind(std::int32_t leaf) {
 }
 
 /// Every node leaves at most fifteen children behind, and its last on top.
-inline constexpr int kStackSize = kMaxNodeDepth * (kNodeWidth - 1) + kNodeWidth + 1;
+inline constexpr int kStackSize = kMaxNodeDepth * (kNodeWidth - 1) + kNodeWidth + 2;
 
 /// A child that is still to be visited, and how near its box begins.
 template <class R>
@@ -33,6 +33,11 @@ class Stack {
   ZRAKA_INLINE int size() const { return size_; }
   ZRAKA_INLINE E pop() { return entries_[--size_]; }
   ZRAKA_INLINE void push(const E& entry) { entries_[size_++] = entry; }
+  /// Without a branch, for what cannot be foreseen.
+  ZRAKA_INLINE void push_if(bool wanted, const E& entry) {
+    entries_[size_] = entry;
+    size_ += wanted ? 1 : 0;
+  }
   /// Puts what has been pushed since the stack had this size in order, the nearest on top.
   ZRAKA_INLINE void sort_from(int start) {
     for (int i = start + 1; i < size_; ++i) {
@@ -114,7 +119,7 @@ ZRAKA_INLINE void distances_in_leaf(const FrozenScene<R>& scene, const SingleRay
   with_kind(scene, leaf_kind(leaf), [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
     for (std::size_t k = 0; k < count; k += L::kWidth) {
       const std::int32_t first = child + static_cast<std::int32_t>(k);
-      typename L::F shape[ShapeTraits<Shape>::kReals];
+      typename L::F shape[ShapeTraits<Shape>::kHitReals];
       load_shapes<L>(shapes, first, shape);
       function(shapes.first_slot + first,
                ShapeLanes<Shape, L>::intersect(shape, ray.origin, ray.direction),
@@ -157,12 +162,12 @@ ZRAKA_INLINE bool blocked_in_leaf(const FrozenScene<R>& scene, const SingleRay<L
   return blocked;
 }
 
-/// The nearest hit of one ray below a child of a node, if it is nearer than t.
+/// The nearest hit of one ray below a node, if it is nearer than t.
 template <class L, class R = typename L::Real>
-void nearest_of_one(const FrozenScene<R>& scene, const SingleRay<L>& ray, std::int32_t child,
-                    std::int32_t leaf, R& t, std::int32_t& slot) {
+void nearest_of_one(const FrozenScene<R>& scene, const SingleRay<L>& ray, std::int32_t node, R& t,
+                    std::int32_t& slot) {
   Stack<Entry<R>> stack;
-  stack.push({0, child, leaf});
+  stack.push({0, node, 0});
   while (!stack.empty()) {
     const Entry<R> entry = stack.pop();
     if (entry.t > t) continue;
@@ -176,12 +181,11 @@ void nearest_of_one(const FrozenScene<R>& scene, const SingleRay<L>& ray, std::i
   }
 }
 
-/// Does one ray meet anything below a child of a node, nearer than t?
+/// Does one ray meet anything below a node, nearer than t?
 template <class L, class R = typename L::Real>
-bool one_is_blocked(const FrozenScene<R>& scene, const SingleRay<L>& ray, std::int32_t child,
-                    std::int32_t leaf, R t) {
+bool one_is_blocked(const FrozenScene<R>& scene, const SingleRay<L>& ray, std::int32_t node, R t) {
   Stack<Entry<R>> stack;
-  stack.push({0, child, leaf});
+  stack.push({0, node, 0});
   while (!stack.empty()) {
     const Entry<R> entry = stack.pop();
     if (entry.leaf == 0)

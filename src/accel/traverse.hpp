@@ -38,33 +38,38 @@ void nearest_in_hierarchy(const FrozenScene<R>& scene, typename L::M active, Ray
   while (!stack.empty()) {
     const BundleEntry<R> entry = stack.pop();
     if (entry.t > farthest) continue;
-    if (__builtin_popcount(entry.rays) <= kFewRays<L>) {
+    const int count = __builtin_popcount(entry.rays);
+    const bool few = count <= kFewRays<L>;
+    if (!few && entry.leaf == 0) {
+      bundle.push_children(scene.hierarchy.nodes[entry.child], entry.rays, ray.t, farthest, true,
+                           stack);
+    } else if (few || count < leaf_count(entry.leaf)) {
+      bool changed = false;
       each_lane(entry.rays, [&](std::size_t i) {
-        nearest_of_one<L>(scene, bundle.single(i), entry.child, entry.leaf, t[i], slot[i]);
+        const std::int32_t before = slot[i];
+        if (entry.leaf == 0)
+          nearest_of_one<L>(scene, bundle.single(i), entry.child, t[i], slot[i]);
+        else
+          nearest_in_leaf<L>(scene, bundle.single(i), entry.child, entry.leaf, t[i], slot[i]);
+        changed = changed || slot[i] != before;
       });
-    } else if (entry.leaf == 0) {
-      bundle.push_children(scene.hierarchy.nodes[entry.child], entry.rays, L::load(t), farthest,
-                           true, stack);
-      continue;
-    } else if (__builtin_popcount(entry.rays) < leaf_count(entry.leaf)) {
-      each_lane(entry.rays, [&](std::size_t i) {
-        nearest_in_leaf<L>(scene, bundle.single(i), entry.child, entry.leaf, t[i], slot[i]);
-      });
-    } else {
+      if (!changed) continue;
       ray.t = L::load(t);
       ray.slot = L::load(slot);
+      farthest = max_of(ray.t);
+    } else {
+      const typename L::I before = ray.slot;
       with_kind(scene, leaf_kind(entry.leaf),
                 [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
                   for (std::int32_t i = 0; i < leaf_count(entry.leaf); ++i)
                     meet<L>(scene, shapes, entry.child + i, ray);
                 });
+      if (all(ray.slot == before)) continue;
       L::store(ray.t, t);
       L::store(ray.slot, slot);
+      farthest = max_of(ray.t);
     }
-    farthest = max_of(L::load(t));
   }
-  ray.t = L::load(t);
-  ray.slot = L::load(slot);
 }
 
 /// The leaf that blocked a ray last: what throws a shadow on one point mostly throws it on its
@@ -92,25 +97,26 @@ typename L::M blocked_in_hierarchy(const FrozenScene<R>& scene, typename L::M wa
     const std::uint32_t rays = entry.rays & left;
     if (rays == 0) continue;
     const std::uint32_t before = left;
-    if (__builtin_popcount(rays) <= kFewRays<L>) {
+    const int count = __builtin_popcount(rays);
+    const bool few = count <= kFewRays<L>;
+    if (!few && entry.leaf == 0) {
+      bundle.push_children(scene.hierarchy.nodes[entry.child], rays, ray.t, farthest, false, stack);
+      continue;
+    }
+    if (few || count < leaf_count(entry.leaf)) {
       each_lane(rays, [&](std::size_t i) {
-        if (one_is_blocked<L>(scene, bundle.single(i), entry.child, entry.leaf, t[i]))
-          left &= ~(1u << i);
-      });
-    } else if (entry.leaf == 0) {
-      bundle.push_children(scene.hierarchy.nodes[entry.child], rays, L::load(t), farthest, false,
-                           stack);
-    } else if (__builtin_popcount(rays) < leaf_count(entry.leaf)) {
-      each_lane(rays, [&](std::size_t i) {
-        if (blocked_in_leaf<L>(scene, bundle.single(i), entry.child, entry.leaf, t[i]))
-          left &= ~(1u << i);
+        const bool blocked =
+            entry.leaf == 0
+                ? one_is_blocked<L>(scene, bundle.single(i), entry.child, t[i])
+                : blocked_in_leaf<L>(scene, bundle.single(i), entry.child, entry.leaf, t[i]);
+        if (blocked) left &= ~(1u << i);
       });
     } else {
       with_kind(
           scene, leaf_kind(entry.leaf), [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
             typename L::M blocked = L::first(0);
             for (std::int32_t i = 0; i < leaf_count(entry.leaf); ++i) {
-              F shape[ShapeTraits<Shape>::kReals];
+              F shape[ShapeTraits<Shape>::kHitReals];
               broadcast_shape<L>(shapes, entry.child + i, shape);
               const F distance = ShapeLanes<Shape, L>::intersect(shape, ray.origin, ray.direction);
               blocked = either(blocked, both(distance > F(0), distance < ray.t));

@@ -55,6 +55,9 @@ ZRAKA_INLINE double min_of(double v) {
 ZRAKA_INLINE double max_of(double v) {
   return v;
 }
+ZRAKA_INLINE void min_of_each(double a, double b, double c, double d, double (&out)[4]) {
+  out[0] = a, out[1] = b, out[2] = c, out[3] = d;
+}
 /// Bit i is set where lane i is true.
 ZRAKA_INLINE std::uint32_t bits(bool m) {
   return m ? 1 : 0;

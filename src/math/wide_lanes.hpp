@@ -17,13 +17,13 @@ inline constexpr Di di{};
 
 struct FloatLanes {
   hn::Vec<wide::D> v;
-  ZRAKA_INLINE FloatLanes() : v(hn::Zero(wide::d)) {}
+  FloatLanes() = default;                                           // any values
   ZRAKA_INLINE FloatLanes(hn::Vec<wide::D> lanes) : v(lanes) {}     // NOLINT: implicit on purpose
   ZRAKA_INLINE FloatLanes(float all) : v(hn::Set(wide::d, all)) {}  // NOLINT: implicit on purpose
 };
 struct IndexLanes {
   hn::Vec<wide::Di> v;
-  ZRAKA_INLINE IndexLanes() : v(hn::Zero(wide::di)) {}
+  IndexLanes() = default;
   ZRAKA_INLINE IndexLanes(hn::Vec<wide::Di> lanes) : v(lanes) {}  // NOLINT: implicit on purpose
   ZRAKA_INLINE IndexLanes(std::int32_t all)
       : v(hn::Set(wide::di, all)) {}  // NOLINT: implicit on purpose
@@ -79,6 +79,37 @@ ZRAKA_INLINE float min_of(FloatLanes v) {
 ZRAKA_INLINE float max_of(FloatLanes v) {
   return hn::GetLane(hn::MaxOfLanes(wide::d, v.v));
 }
+#if HWY_TARGET == HWY_SCALAR
+ZRAKA_INLINE void min_of_each(FloatLanes a, FloatLanes b, FloatLanes c, FloatLanes d,
+                              float (&out)[4]) {
+  out[0] = min_of(a), out[1] = min_of(b), out[2] = min_of(c), out[3] = min_of(d);
+}
+#else
+/// The least of all blocks of four lanes, lane by lane.
+template <class D>
+ZRAKA_INLINE hn::Vec<hn::FixedTag<float, 4>> least_block(D d, hn::Vec<D> v) {
+  if constexpr (hn::MaxLanes(d) > 4) {
+    const hn::Half<D> half;
+    return least_block(half, hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
+  } else {
+    return v;
+  }
+}
+/// The least of all lanes of each of four.
+ZRAKA_INLINE void min_of_each(FloatLanes a, FloatLanes b, FloatLanes c, FloatLanes d,
+                              float (&out)[4]) {
+  // Four registers become one whose every block of four lanes has a least of each.
+  using D2 = hn::RepartitionToWide<hn::RebindToUnsigned<wide::D>>;
+  const auto pair = [](FloatLanes p, FloatLanes q) {
+    return hn::BitCast(D2(), hn::Min(hn::InterleaveLower(wide::d, p.v, q.v),
+                                     hn::InterleaveUpper(wide::d, p.v, q.v)));
+  };
+  const auto ab = pair(a, b), cd = pair(c, d);
+  const auto least = hn::Min(hn::BitCast(wide::d, hn::InterleaveLower(D2(), ab, cd)),
+                             hn::BitCast(wide::d, hn::InterleaveUpper(D2(), ab, cd)));
+  hn::StoreU(least_block(wide::d, least), hn::FixedTag<float, 4>(), out);
+}
+#endif
 /// Bit i is set where lane i is true.
 ZRAKA_INLINE std::uint32_t bits(MaskLanes m) {
   std::uint8_t bytes[8] = {};
