@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/engine.hpp"
-#include "math/lanes.hpp"
+#include "engine/places.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -16,9 +16,9 @@ ZRAKA_INLINE V3<typename L::F> add_child(const V3<typename L::F>& sum, const R* 
   const I child = L::load(children);
   const auto there = child >= I(0);
   if (!any(there)) return sum;
-  const I place = select(there, child, I(0));
+  const Places<L> place(select(there, child, I(0)));
   const F share = L::load(shares);
-  const V3<F> color{L::gather(rays.r, place), L::gather(rays.g, place), L::gather(rays.b, place)};
+  const V3<F> color{place.load(rays.r), place.load(rays.g), place.load(rays.b)};
   const V3<F> more = sum + color * share;
   return {select(there, more.x, sum.x), select(there, more.y, sum.y), select(there, more.z, sum.z)};
 }
@@ -43,10 +43,10 @@ void fold(const TraceSettings& settings, Level<R>& level, const Level<R>* next) 
       color = {clamp(color.x), clamp(color.y), clamp(color.z)};
     }
     const auto exists = L::first(n - h);
-    const I ray = L::load(hits.ray + h) + I(level.done);
-    L::scatter(color.x, exists, level.rays.r, ray);
-    L::scatter(color.y, exists, level.rays.g, ray);
-    L::scatter(color.z, exists, level.rays.b, ray);
+    const Places<L> ray(L::load(hits.ray + h) + I(level.done));
+    ray.store(color.x, exists, level.rays.r);
+    ray.store(color.y, exists, level.rays.g);
+    ray.store(color.z, exists, level.rays.b);
   }
   level.done += level.in_batch;
   level.in_batch = 0;

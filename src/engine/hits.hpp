@@ -4,6 +4,7 @@
 
 #include "accel/traverse.hpp"
 #include "engine/engine.hpp"
+#include "engine/places.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -43,18 +44,21 @@ void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scr
 
 /// The surface of those lanes whose primitive is of this kind; others stay as they are.
 template <class L, class Shape>
-ZRAKA_INLINE void surface_of(const FrozenShapes<typename L::Real, Shape>& shapes, typename L::I id,
-                             const V3<typename L::F>& origin, const V3<typename L::F>& direction,
-                             const V3<typename L::F>& point, SurfacePoint<L>& surface,
-                             typename L::I& material) {
+ZRAKA_INLINE void surface_of(const FrozenShapes<typename L::Real, Shape>& shapes,
+                             typename L::I slot, const V3<typename L::F>& origin,
+                             const V3<typename L::F>& direction, const V3<typename L::F>& point,
+                             SurfacePoint<L>& surface, typename L::I& material) {
   using F = typename L::F;
   using I = typename L::I;
-  const auto mine = but_not(id >= I(shapes.first_slot), id >= I(shapes.first_slot + shapes.count));
+  const auto mine =
+      but_not(slot >= I(shapes.first_slot), slot >= I(shapes.first_slot + shapes.count));
   if (!any(mine)) return;
-  const I index = select(mine, id + I(-shapes.first_slot), I(0));
+  const I index = select(mine, slot + I(-shapes.first_slot), I(0));
+  const std::int32_t one = first_lane(index);
+  const bool shared = all(index == I(one));
   F shape[ShapeTraits<Shape>::kReals];
   for (int k = 0; k < ShapeTraits<Shape>::kReals; ++k)
-    shape[k] = L::gather(shapes.column[k], index);
+    shape[k] = shared ? F(shapes.column[k][one]) : L::gather(shapes.column[k], index);
   const SurfacePoint<L> found = ShapeLanes<Shape, L>::surface(shape, origin, direction, point);
   const auto pick = [&](const V3<F>& a, const V3<F>& b) {
     return V3<F>{select(mine, a.x, b.x), select(mine, a.y, b.y), select(mine, a.z, b.z)};
@@ -63,7 +67,8 @@ ZRAKA_INLINE void surface_of(const FrozenShapes<typename L::Real, Shape>& shapes
   surface.normal = pick(found.normal, surface.normal);
   surface.offset = select(mine, found.offset, surface.offset);
   surface.inside = either(both(mine, found.inside), but_not(surface.inside, mine));
-  material = select(mine, L::gather(shapes.material, index), material);
+  material =
+      select(mine, shared ? I(shapes.material[one]) : L::gather(shapes.material, index), material);
 }
 
 /// Point, normal towards the viewer, and material of each hit.
@@ -76,16 +81,16 @@ void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R
           *oz = level.rays.oz + level.done, *dx = level.rays.dx + level.done,
           *dy = level.rays.dy + level.done, *dz = level.rays.dz + level.done;
   for (std::size_t h = 0; h < n; h += L::kWidth) {
-    const I ray = select(L::first(n - h), L::load(level.hits.ray + h), I(level.hits.ray[h]));
-    const V3<F> origin{L::gather(ox, ray), L::gather(oy, ray), L::gather(oz, ray)};
-    const V3<F> direction{L::gather(dx, ray), L::gather(dy, ray), L::gather(dz, ray)};
-    const V3<F> point = origin + direction * L::gather(scratch.t, ray);
+    const Places<L> ray(select(L::first(n - h), L::load(level.hits.ray + h), I(level.hits.ray[h])));
+    const V3<F> origin{ray.load(ox), ray.load(oy), ray.load(oz)};
+    const V3<F> direction{ray.load(dx), ray.load(dy), ray.load(dz)};
+    const V3<F> point = origin + direction * ray.load(scratch.t);
 
     SurfacePoint<L> surface{point, -direction, F(0), L::first(0)};
     I material(0);
-    const I id = L::gather(scratch.slot, ray);
+    const I slot = ray.load(scratch.slot);
 #define ZRAKA_SURFACE(Type, plural) \
-  surface_of<L>(scene.plural, id, origin, direction, point, surface, material);
+  surface_of<L>(scene.plural, slot, origin, direction, point, surface, material);
     ZRAKA_SHAPES(ZRAKA_SURFACE)
 #undef ZRAKA_SURFACE
 

@@ -5,6 +5,7 @@
 #include "accel/traverse.hpp"
 #include "engine/camera_rays.hpp"
 #include "engine/engine.hpp"
+#include "engine/places.hpp"
 #include "math/power.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -97,7 +98,7 @@ void trace_feelers(const FrozenScene<R>& scene, std::size_t feelers, Scratch<R>&
         L::load(scratch.fdistance + i),
         typename L::I(-1)};
     const auto blocked = find_blocked<L>(scene, L::first(feelers - i), last, ray);
-    if (any(blocked)) L::scatter(F(0), blocked, scratch.lit, L::load(scratch.feeler_hit + i));
+    if (any(blocked)) Places<L>(L::load(scratch.feeler_hit + i)).store(F(0), blocked, scratch.lit);
   }
 }
 

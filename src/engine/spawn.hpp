@@ -15,6 +15,10 @@ ZRAKA_INLINE void append_rays(Level<R>& level, const V3<typename L::F>& origin,
                               const V3<typename L::F>& direction, typename L::M wanted,
                               std::int32_t* places) {
   using F = typename L::F;
+  if (!any(wanted)) {
+    L::store(typename L::I(-1), places);
+    return;
+  }
   const auto at = static_cast<std::size_t>(level.ray_count);
   const V3<F> unit = direction * (F(1.5f) - F(0.5f) * dot(direction, direction));
   L::compress_store(origin.x, wanted, level.rays.ox + at);
@@ -24,11 +28,16 @@ ZRAKA_INLINE void append_rays(Level<R>& level, const V3<typename L::F>& origin,
   L::compress_store(unit.y, wanted, level.rays.dy + at);
   L::compress_store(unit.z, wanted, level.rays.dz + at);
   // The k-th wanted lane gets place at + k.
-  alignas(64) typename L::Real flags[L::kWidth];
-  L::store(select(wanted, F(1), F(0)), flags);
-  auto next = level.ray_count;
-  for (std::size_t i = 0; i < L::kWidth; ++i) places[i] = flags[i] != 0 ? next++ : -1;
-  level.ray_count = next;
+  if (all(wanted)) {
+    L::store(L::iota(level.ray_count), places);
+  } else {
+    const std::uint32_t lanes = bits(wanted);
+    for (std::size_t i = 0; i < L::kWidth; ++i)
+      places[i] = (lanes >> i & 1) == 0
+                      ? -1
+                      : level.ray_count + __builtin_popcount(lanes & ((1u << i) - 1));
+  }
+  level.ray_count += static_cast<std::int32_t>(count(wanted));
 }
 
 /// U·N and the frame of a hit that its children start from.
