@@ -7,19 +7,21 @@ library=$1
 status=0
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-members=$(ar t "$library" | grep -c '^kernel.cpp.o$')
-[ "$members" -ge 3 ] || { echo "only $members engines in $library"; status=1; }
-for ((i = 1; i <= members; i++)); do
-  (cd "$folder" && ar xN "$i" "$library" kernel.cpp.o)
-  symbols=$(nm -C --defined-only "$folder/kernel.cpp.o" | cut -c20-)
-  # Functions and objects that the linker might share between files: weak ones, and all global ones.
-  foreign=$(nm -C --defined-only "$folder/kernel.cpp.o" | awk '$2 ~ /^[TWVBDRu]$/' | cut -c20- |
-    grep -vE 'isa_(avx512|avx2|portable|oracle)' || true)
-  if [ -n "$foreign" ]; then
-    echo "engine $i defines symbols that are not its own:"
-    echo "$foreign"
-    status=1
-  fi
-  [ -n "$symbols" ] || { echo "engine $i has no symbols"; status=1; }
+for object in kernel.cpp.o record_kernel.cpp.o; do
+  members=$(ar t "$library" | grep -c "^$object\$")
+  [ "$members" -ge 3 ] || { echo "only $members $object in $library"; status=1; }
+  for ((i = 1; i <= members; i++)); do
+    (cd "$folder" && ar xN "$i" "$library" "$object")
+    symbols=$(nm -C --defined-only "$folder/$object" | cut -c20-)
+    # Functions and objects that the linker might share between files: weak ones, and all global ones.
+    foreign=$(nm -C --defined-only "$folder/$object" | awk '$2 ~ /^[TWVBDRu]$/' | cut -c20- |
+      grep -vE 'isa_(avx512|avx2|portable|oracle)' || true)
+    if [ -n "$foreign" ]; then
+      echo "$object $i defines symbols that are not its own:"
+      echo "$foreign"
+      status=1
+    fi
+    [ -n "$symbols" ] || { echo "$object $i has no symbols"; status=1; }
+  done
 done
 exit $status

@@ -81,6 +81,49 @@ struct Workspace {
   std::int32_t batch;  ///< at least the pixels of a tile
 };
 
+/// What the steps compute on their way and keep nowhere else, by hit. A vector or a colour takes
+/// three.
+enum class Term {
+  // Once for each light. The diffuse and the specular term are those of the lit hits only.
+  to_light,  ///< L, unit length
+  light_distance = to_light + 3,
+  l_n,                     ///< L·N
+  diffuse,                 ///< what is added: Ii·kd·(L·N)
+  mirrored = diffuse + 3,  ///< R, the mirror of L about N
+  r_v = mirrored + 3,      ///< R·V
+  shines,                  ///< 1 where the specular term counts, else 0
+  highlight,               ///< (R·V)^n
+  specular,                ///< what is added: Ii·ks·(R·V)^n
+  // Once for each hit, where rays are refracted (sheet 3.5).
+  cosine = specular + 3,  ///< U·N, of all hits that may have children
+  ratio,                  ///< b = n1/n2
+  quarter_d,              ///< D/4; negative: total internal reflection
+  along_normal,           ///< a
+  // Once for each hit.
+  unclamped,  ///< C before it is clamped
+  count = unclamped + 3
+};
+
+/// Where a Record puts the terms, and whom it tells: one batch at a time, in the order of tracing.
+template <class R>
+struct Recording {
+  R* terms[static_cast<int>(Term::count)];  ///< batch values each
+  R* blocker_t;           ///< by feeler: distance to the nearest shape before the light
+  std::int32_t* blocker;  ///< by feeler: its slot; -1: none
+  bool stop = false;      ///< set by the reader: no more levels, the rest is not wanted
+
+  void* reader;
+  /// Nearest hits and surfaces of the level's batch are known.
+  void (*at_hits)(void* reader, const Level<R>& level, const Scratch<R>& scratch);
+  /// So are a light's terms; scratch.lit and the feelers are that light's.
+  void (*at_light)(void* reader, std::int32_t light, std::size_t feelers, const Level<R>& level,
+                   const Scratch<R>& scratch);
+  /// Shares and places of the children in `next` are known. Not called where a batch has none.
+  void (*at_children)(void* reader, const Level<R>& level, const Level<R>& next);
+  /// The level's batch has its colours: the rays [done - in_batch, done).
+  void (*at_fold)(void* reader, const Level<R>& level);
+};
+
 /// One way to compute, for render/ to pick.
 template <class R>
 struct Kernel {
@@ -92,18 +135,28 @@ struct Kernel {
   int lanes;
 };
 
-// Defined by kernel.cpp, once per instruction set that the build has.
+/// trace_tile() of a Kernel by the same steps, which tell their terms.
+template <class R>
+using RecordTile = void(const FrozenScene<R>& scene, const TraceSettings& settings,
+                        const TileRect& tile, Workspace<R>& workspace, RayCounts& counts,
+                        float* pixels, std::size_t stride, Recording<R>& recording);
+
+// Defined by kernel.cpp and record_kernel.cpp, once per instruction set that the build has.
 namespace isa_avx512 {
 extern const Kernel<float> kKernel;
-}
+RecordTile<float> record_tile;
+}  // namespace isa_avx512
 namespace isa_avx2 {
 extern const Kernel<float> kKernel;
-}
+RecordTile<float> record_tile;
+}  // namespace isa_avx2
 namespace isa_portable {
 extern const Kernel<float> kKernel;
-}
+RecordTile<float> record_tile;
+}  // namespace isa_portable
 namespace isa_oracle {
 extern const Kernel<double> kKernel;
-}
+RecordTile<double> record_tile;
+}  // namespace isa_oracle
 
 }  // namespace zraka

@@ -4,6 +4,7 @@
 
 #include "engine/engine.hpp"
 #include "engine/places.hpp"
+#include "engine/record.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -26,8 +27,9 @@ ZRAKA_INLINE V3<typename L::F> add_child(const V3<typename L::F>& sum, const R* 
 /// C = local + k1·Crefl + k2·Crefr for each hit of the level's batch, which is then done; the
 /// components are clamped to 0…1 where the profile says so. Without children `next` is not looked
 /// at.
-template <class L, class R = typename L::Real>
-void fold(const TraceSettings& settings, Level<R>& level, const Level<R>* next) {
+template <class L, class R = typename L::Real, class Recorder = NoRecord>
+void fold(const TraceSettings& settings, Level<R>& level, const Level<R>* next,
+          const Recorder& record = {}) {
   using F = typename L::F;
   using I = typename L::I;
   const auto n = static_cast<std::size_t>(level.hit_count);
@@ -38,6 +40,7 @@ void fold(const TraceSettings& settings, Level<R>& level, const Level<R>* next) 
       color = add_child<L>(color, hits.reflection + h, hits.reflected + h, next->rays);
       color = add_child<L>(color, hits.refraction + h, hits.refracted + h, next->rays);
     }
+    record.keep(Term::unclamped, h, color);
     if (settings.clamp_levels) {
       const auto clamp = [](const F& c) { return min(max(c, F(0)), F(1)); };
       color = {clamp(color.x), clamp(color.y), clamp(color.z)};
@@ -49,6 +52,7 @@ void fold(const TraceSettings& settings, Level<R>& level, const Level<R>* next) 
     ray.store(color.z, exists, level.rays.b);
   }
   level.done += level.in_batch;
+  record.folded(level);
   level.in_batch = 0;
 }
 

@@ -11,7 +11,13 @@ using Lanes = WideLanes;
 using Lanes = ScalarLanes<double>;
 #endif
 
+void render_tile(const FrozenScene<Lanes::Real>& scene, const TraceSettings& settings,
+                 const TileRect& tile, Workspace<Lanes::Real>& workspace, RayCounts& counts,
+                 float* pixels, std::size_t stride) {
+  trace_tile<Lanes>(scene, settings, tile, workspace, counts, pixels, stride);
+}
+
 extern const Kernel<Lanes::Real> kKernel;
-const Kernel<Lanes::Real> kKernel = {trace_tile<Lanes>, static_cast<int>(Lanes::kWidth)};
+const Kernel<Lanes::Real> kKernel = {render_tile, static_cast<int>(Lanes::kWidth)};
 
 }  // namespace zraka::ZRAKA_ISA

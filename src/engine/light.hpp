@@ -6,6 +6,7 @@
 #include "engine/camera_rays.hpp"
 #include "engine/engine.hpp"
 #include "engine/places.hpp"
+#include "engine/record.hpp"
 #include "math/power.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -63,14 +64,19 @@ ZRAKA_INLINE V3<typename L::F> load_normal(const Scratch<R>& scratch, std::size_
 }
 
 /// Feelers from the hits that face the light; scratch.lit says which hits face it.
-template <class L, class R = typename L::Real>
-std::size_t make_feelers(const FrozenLight<R>& light, std::size_t n, Scratch<R>& scratch) {
+template <class L, class R = typename L::Real, class Recorder = NoRecord>
+std::size_t make_feelers(const FrozenLight<R>& light, std::size_t n, Scratch<R>& scratch,
+                         const Recorder& record = {}) {
   using F = typename L::F;
   std::size_t feelers = 0;
   for (std::size_t h = 0; h < n; h += L::kWidth) {
     const V3<F> normal = load_normal<L>(scratch, h);
     const ToLight<L> light_way = towards<L>(light, scratch, h);
-    const auto facing = both(dot(light_way.direction, normal) >= F(0), L::first(n - h));
+    const F l_n = dot(light_way.direction, normal);
+    const auto facing = both(l_n >= F(0), L::first(n - h));
+    record.keep(Term::to_light, h, light_way.direction);
+    record.keep(Term::light_distance, h, light_way.distance);
+    record.keep(Term::l_n, h, l_n);
     const F offset = L::load(scratch.offset + h);
     L::store(select(facing, F(1), F(0)), scratch.lit + h);
     L::compress_store(L::load(scratch.px + h) + normal.x * offset, facing, scratch.fox + feelers);
@@ -103,9 +109,9 @@ void trace_feelers(const FrozenScene<R>& scene, std::size_t feelers, Scratch<R>&
 }
 
 /// Adds one light's diffuse and specular terms to the hits that it reaches.
-template <class L, class R = typename L::Real>
+template <class L, class R = typename L::Real, class Recorder = NoRecord>
 void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const Terms& terms,
-               Level<R>& level, const Scratch<R>& scratch) {
+               Level<R>& level, const Scratch<R>& scratch, const Recorder& record = {}) {
   using F = typename L::F;
   const auto n = static_cast<std::size_t>(level.hit_count);
   const V3<F> intensity = broadcast<L>(light.color);
@@ -118,7 +124,9 @@ void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const T
     const F l_n = dot(l, normal);
     V3<F> sum{L::load(level.hits.r + h), L::load(level.hits.g + h), L::load(level.hits.b + h)};
     if (terms.diffuse) {
-      const V3<F> more = sum + intensity * material.color(kDiffuse) * l_n;
+      const V3<F> diffuse = intensity * material.color(kDiffuse) * l_n;
+      record.keep(Term::diffuse, h, diffuse);
+      const V3<F> more = sum + diffuse;
       sum = {select(lit, more.x, sum.x), select(lit, more.y, sum.y), select(lit, more.z, sum.z)};
     }
     if (terms.specular) {
@@ -126,9 +134,15 @@ void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const T
       const V3<F> r = normal * (l_n + l_n) - l;  // the mirror of L about N
       const F r_v = dot(r, v);
       const auto shines = both(lit, r_v >= F(0));
+      record.keep(Term::mirrored, h, r);
+      record.keep(Term::r_v, h, r_v);
+      record.keep(Term::shines, h, select(shines, F(1), F(0)));
       if (any(shines)) {
         const F highlight = power(min(max(r_v, F(0)), F(1)), material[kShininess]);
-        const V3<F> more = sum + intensity * material.color(kSpecular) * highlight;
+        const V3<F> specular = intensity * material.color(kSpecular) * highlight;
+        record.keep(Term::highlight, h, highlight);
+        record.keep(Term::specular, h, specular);
+        const V3<F> more = sum + specular;
         sum = {select(shines, more.x, sum.x), select(shines, more.y, sum.y),
                select(shines, more.z, sum.z)};
       }
@@ -158,20 +172,21 @@ void start_local(const FrozenScene<R>& scene, const Terms& terms, Level<R>& leve
 }
 
 /// I = Ia·ka + for each light that reaches the hit: Ii·kd·(L·N) + Ii·ks·(R·V)^n.
-template <class L, class R = typename L::Real>
+template <class L, class R = typename L::Real, class Recorder = NoRecord>
 void light_hits(const FrozenScene<R>& scene, const TraceSettings& settings, Level<R>& level,
-                Scratch<R>& scratch, RayCounts& counts) {
+                Scratch<R>& scratch, RayCounts& counts, const Recorder& record = {}) {
   const Terms& terms = settings.terms;
   start_local<L>(scene, terms, level, scratch);
   if (terms.silhouette || !(terms.diffuse || terms.specular)) return;
   for (std::int32_t i = 0; i < scene.light_count; ++i) {
     const auto n = static_cast<std::size_t>(level.hit_count);
-    const std::size_t feelers = make_feelers<L>(scene.lights[i], n, scratch);
+    const std::size_t feelers = make_feelers<L>(scene.lights[i], n, scratch, record);
     if (terms.shadows) {
       trace_feelers<L>(scene, feelers, scratch);
       counts.shadow += feelers;
     }
-    add_light<L>(scene, scene.lights[i], terms, level, scratch);
+    add_light<L>(scene, scene.lights[i], terms, level, scratch, record);
+    record.light(scene, i, feelers, level, scratch);
   }
 }
 

@@ -68,9 +68,10 @@ struct Snell {
 
 /// R = 2(U·N)N - U, and the shares of both children. With mirror_when_total the share of a
 /// refracted ray that cannot be goes to the reflected one.
-template <class L, class R = typename L::Real>
+template <class L, class R = typename L::Real, class Recorder = NoRecord>
 void spawn_reflected(const FrozenScene<R>& scene, const TraceSettings& settings, Level<R>& level,
-                     const Scratch<R>& scratch, Level<R>& next, RayCounts& counts) {
+                     const Scratch<R>& scratch, Level<R>& next, RayCounts& counts,
+                     const Recorder& record = {}) {
   using F = typename L::F;
   const auto n = static_cast<std::size_t>(level.hit_count);
   const std::int32_t before = next.ray_count;
@@ -79,9 +80,12 @@ void spawn_reflected(const FrozenScene<R>& scene, const TraceSettings& settings,
     F reflection = settings.terms.reflection ? material[kReflection] : F(0);
     F refraction = settings.terms.refraction ? material[kRefraction] : F(0);
     const HitLanes<L> hit(scratch, h);
+    record.keep(Term::cosine, h, hit.cosine);
     if (settings.terms.refraction && any(but_not(L::first(n - h), refraction == F(0)))) {
       const Snell<L> snell(material, scratch, h, hit.cosine);
       const auto passes = snell.d >= F(0);
+      record.keep(Term::ratio, h, snell.b);
+      record.keep(Term::quarter_d, h, snell.d);
       if (settings.mirror_when_total)
         reflection = select(passes, reflection, reflection + refraction);
       refraction = select(passes, refraction, F(0));
@@ -96,9 +100,9 @@ void spawn_reflected(const FrozenScene<R>& scene, const TraceSettings& settings,
 }
 
 /// R = -aN - bU with a = -b·cos α + √(D/4), where D is not negative.
-template <class L, class R = typename L::Real>
+template <class L, class R = typename L::Real, class Recorder = NoRecord>
 void spawn_refracted(const FrozenScene<R>& scene, Level<R>& level, const Scratch<R>& scratch,
-                     Level<R>& next, RayCounts& counts) {
+                     Level<R>& next, RayCounts& counts, const Recorder& record = {}) {
   using F = typename L::F;
   const auto n = static_cast<std::size_t>(level.hit_count);
   const std::int32_t before = next.ray_count;
@@ -113,6 +117,7 @@ void spawn_refracted(const FrozenScene<R>& scene, Level<R>& level, const Scratch
     const HitLanes<L> hit(scratch, h);
     const Snell<L> snell(material, scratch, h, hit.cosine);
     const F a = sqrt(max(snell.d, F(0))) - snell.b * hit.cosine;
+    record.keep(Term::along_normal, h, a);
     append_rays<L>(next, hit.point - hit.normal * hit.offset,
                    -(hit.normal * a) - hit.view * snell.b, wanted, level.hits.refracted + h);
   }
