@@ -10,6 +10,9 @@ namespace zraka {
 inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 27;
 /// The deepest ray trees: levels of rays after the first.
 inline constexpr int kMaxDepth = 200;
+/// The rays of a pixel's tree that can be explained, and its terms of light (rays times lights).
+inline constexpr int kMaxExplainedRays = 1 << 14;
+inline constexpr std::uint64_t kMaxExplainedTerms = std::uint64_t{1} << 18;
 /// The largest side of a tile, in pixels.
 inline constexpr int kMaxTile = 64;
 /// More threads than any machine has, so a mistake.

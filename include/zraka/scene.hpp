@@ -2,7 +2,9 @@
 // What a picture is of: plain values, as a reader or a program writes them down.
 #pragma once
 
+#include <compare>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 #include <zraka/limits.hpp>
@@ -30,6 +32,14 @@ template <class Shape>
 struct Object {
   Shape shape;
   std::uint32_t material = 0;
+};
+
+/// A shape of a scene: its kind, as its place in ZRAKA_SHAPES, and its place in Scene's list of
+/// that kind.
+struct ShapeId {
+  std::int32_t kind = 0;
+  std::uint32_t index = 0;
+  friend auto operator<=>(const ShapeId&, const ShapeId&) = default;
 };
 
 struct PointLight {
@@ -64,6 +74,7 @@ struct Scene {
 #define ZRAKA_STORE(Type, plural) std::vector<Object<Type>> plural;
   ZRAKA_SHAPES(ZRAKA_STORE)
 #undef ZRAKA_STORE
+  std::map<ShapeId, std::string> names;  ///< of those shapes that the file gives one, UTF-8
   ProfileName default_profile = ProfileName::physical;  ///< what the file's format is drawn with
   std::string format;                                   ///< the reader's name, for people
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <zraka/diagnostic.hpp>
+#include <zraka/explain.hpp>
 #include <zraka/formats.hpp>
 #include <zraka/image.hpp>
 #include <zraka/render.hpp>

@@ -113,7 +113,7 @@ struct Recording {
   bool stop = false;      ///< set by the reader: no more levels, the rest is not wanted
 
   void* reader;
-  /// Nearest hits and surfaces of the level's batch are known.
+  /// Nearest hits and surfaces of the level's batch are known; level.hits has the ambient terms.
   void (*at_hits)(void* reader, const Level<R>& level, const Scratch<R>& scratch);
   /// So are a light's terms; scratch.lit and the feelers are that light's.
   void (*at_light)(void* reader, std::int32_t light, std::size_t feelers, const Level<R>& level,
@@ -128,7 +128,7 @@ struct Recording {
 template <class R>
 struct Kernel {
   /// Traces a tile; the linear colours go to pixels[(row·stride + column)·3], counted from the
-  /// picture's start.
+  /// tile's upper left corner.
   void (*trace_tile)(const FrozenScene<R>& scene, const TraceSettings& settings,
                      const TileRect& tile, Workspace<R>& workspace, RayCounts& counts,
                      float* pixels, std::size_t stride);

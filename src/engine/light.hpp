@@ -177,6 +177,7 @@ void light_hits(const FrozenScene<R>& scene, const TraceSettings& settings, Leve
                 Scratch<R>& scratch, RayCounts& counts, const Recorder& record = {}) {
   const Terms& terms = settings.terms;
   start_local<L>(scene, terms, level, scratch);
+  record.hits(level, scratch);
   if (terms.silhouette || !(terms.diffuse || terms.specular)) return;
   for (std::int32_t i = 0; i < scene.light_count; ++i) {
     const auto n = static_cast<std::size_t>(level.hit_count);

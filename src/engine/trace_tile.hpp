@@ -25,7 +25,6 @@ void trace_batch(const FrozenScene<R>& scene, const TraceSettings& settings, Lev
   trace_nearest<L>(scene, level, workspace.scratch);
   counts.hits += static_cast<std::uint64_t>(level.hit_count);
   find_surfaces<L>(scene, level, workspace.scratch);
-  record.hits(level, workspace.scratch);
   light_hits<L>(scene, settings, level, workspace.scratch, counts, record);
 
   if (next == nullptr || settings.terms.silhouette) return;
@@ -72,8 +71,7 @@ void trace_tile(const FrozenScene<R>& scene, const TraceSettings& settings, cons
 
   std::size_t i = 0;
   each_pixel(tile, [&](std::int32_t x, std::int32_t y) {
-    float* out = pixels + 3 * (static_cast<std::size_t>(tile.y + y) * stride +
-                               static_cast<std::size_t>(tile.x + x));
+    float* out = pixels + 3 * (static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x));
     out[0] = static_cast<float>(top.rays.r[i]);
     out[1] = static_cast<float>(top.rays.g[i]);
     out[2] = static_cast<float>(top.rays.b[i]);

@@ -43,6 +43,7 @@ class Reader {
   void watch_labels(const Token& token);
   void read_head();
   void read_count(double value);
+  void take_name(std::size_t begin, std::size_t end);
   bool read_sphere();
   void check_rest();
   bool check_is_text();
@@ -247,15 +248,35 @@ void Reader::read_head() {
   scene_.lights.push_back({{v[lab::kLight], v[lab::kLight + 1], v[lab::kLight + 2]}, {1, 1, 1}});
 }
 
+/// The name of the sphere whose first value ends at `end`: what stands behind the colon of a label
+/// before it, as in "<parametri 2. kugle: zrcalo>".
+void Reader::take_name(std::size_t begin, std::size_t end) {
+  std::string_view rest = text_.substr(begin, end - begin);
+  for (std::size_t open; (open = rest.find('<')) != std::string_view::npos;) {
+    const std::size_t close = rest.find('>', open);
+    if (close == std::string_view::npos) return;
+    const std::string_view label = trimmed(rest.substr(open + 1, close - open - 1));
+    rest.remove_prefix(close + 1);
+    const std::size_t colon = label.find(':');
+    if (colon == std::string_view::npos || label.ends_with('=')) continue;
+    const std::string name = shown(trimmed(label.substr(colon + 1)));
+    if (name.empty()) continue;
+    scene_.names[{0, static_cast<std::uint32_t>(scene_.spheres.size())}] = name;
+    return;
+  }
+}
+
 /// False at the end of the file.
 bool Reader::read_sphere() {
   ++sphere_;
   value_ = 0;
   double v[lab::kSphereValues];
   bool over_one_said = false;
+  const std::size_t before = tokens_.position();
   for (double& value : v) {
     const std::size_t place = value_;
     if (!next_value(value)) return false;
+    if (place == lab::kCenter) take_name(before, position_);
     if (place == lab::kRadius && value <= 0)
       error(position_, fmt::format("radius of sphere {} is {}: expected a number greater than 0",
                                    sphere_, value));

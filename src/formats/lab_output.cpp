@@ -33,7 +33,9 @@ Result<std::string> write_lab_input(const Scene& scene) {
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
     const Sphere& s = scene.spheres[i].shape;
     const Material& m = scene.materials.at(scene.spheres[i].material);
-    fmt::format_to(out, "\n<parametri {}. kugle>\n", i + 1);
+    const auto name = scene.names.find({0, static_cast<std::uint32_t>(i)});
+    const bool named = name != scene.names.end() && name->second.find('>') == std::string::npos;
+    fmt::format_to(out, "\n<parametri {}. kugle{}>\n", i + 1, named ? ": " + name->second : "");
     fmt::format_to(out, "\t<polozaj => {}, {}, {}:\n\t<radius => {}:\n", s.center.x, s.center.y,
                    s.center.z, s.radius);
     fmt::format_to(out, "\t<udio reflektirane zrake => {}:\n\t<udio refraktirane zrake => {}:\n",

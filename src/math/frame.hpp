@@ -23,6 +23,11 @@ struct Frame {
     return {world.x * scale, world.y * scale, world.z * scale};
   }
   double length(double world) const { return world * scale; }
+  /// Back to the world.
+  Vec3 world_point(const Vec3& framed) const {
+    return {framed.x / scale + center.x, framed.y / scale + center.y, framed.z / scale + center.z};
+  }
+  double world_length(double framed) const { return framed / scale; }
 
   /// The frame around a point in which the farthest side of `bounds` is at a distance in (½, 1].
   static Frame around(const Vec3& center, const Box& bounds) {

@@ -87,4 +87,12 @@ const Kernel<float>& kernel_of(Isa isa) {
   return isa_portable::kKernel;
 }
 
+RecordTile<float>& record_tile_of(Isa isa) {
+#if defined(ZRAKA_HAVE_X86)
+  if (isa == Isa::avx512) return isa_avx512::record_tile;
+  if (isa == Isa::avx2) return isa_avx2::record_tile;
+#endif
+  return isa_portable::record_tile;
+}
+
 }  // namespace zraka

@@ -14,5 +14,6 @@ Result<Isa> choose_isa(std::optional<Isa> wanted);
 
 /// The engine for an available instruction set; not for Isa::oracle.
 const Kernel<float>& kernel_of(Isa isa);
+RecordTile<float>& record_tile_of(Isa isa);
 
 }  // namespace zraka

@@ -12,20 +12,16 @@
 #include <mutex>
 #include <zraka/render.hpp>
 
-#include "accel/build.hpp"
 #include "core/handover.hpp"
 #include "render/isa.hpp"
+#include "render/prepare.hpp"
 #include "render/workspace.hpp"
-#include "scene/freeze.hpp"
 
 namespace zraka {
 namespace {
 
 /// Small enough for the arrays of a tile's trees to stay in the second-level cache.
 constexpr int kDefaultTile = 32;
-
-/// So many shapes are asked one by one as fast as through a hierarchy.
-constexpr std::uint64_t kFewShapes = 16;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -56,9 +52,8 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
   const std::int32_t columns = (width + tile - 1) / tile;
   const std::int32_t rows = (height + tile - 1) / tile;
 
-  tbb::enumerable_thread_specific<Worker<R>> workers([&] {
-    return Worker<R>{WorkspaceMemory<R>(tile * tile, settings.max_depth), {}};
-  });
+  tbb::enumerable_thread_specific<Worker<R>> workers(
+      [&] { return Worker<R>{WorkspaceMemory<R>(tile * tile, settings.max_depth), {}}; });
   std::atomic<std::uint64_t> pixels_done{0}, rays_done{0};
   std::atomic<bool> cancelled{false};
 
@@ -74,8 +69,8 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
     const TileRect rect{x, y, std::min(tile, width - x), std::min(tile, height - y)};
     Worker<R>& worker = workers.local();
     RayCounts counts;
-    kernel.trace_tile(scene, settings, rect, worker.memory.workspace(), counts, image.pixels.data(),
-                      image.width);
+    kernel.trace_tile(scene, settings, rect, worker.memory.workspace(), counts,
+                      image.row(static_cast<std::uint32_t>(y)) + 3 * x, image.width);
     add(worker.counts, counts);
     from_workers.give();
     if (options.progress) {
@@ -108,22 +103,14 @@ template <class R>
 bool freeze_and_render(const Scene& scene, const Kernel<R>& kernel, const RenderOptions& options,
                        int tile, int threads, Rendering& rendering) {
   const auto start = std::chrono::steady_clock::now();
-  const Frame frame = frame_of(scene);
-  BuiltHierarchy hierarchy;
-  if (scene.shape_count() > kFewShapes) {
-    std::vector<BuildRef> refs = references_to(scene, frame);
-    hierarchy = build_hierarchy(refs, kKinds);
-  }
-  const auto store = freeze<R>(scene, options.profile, frame, hierarchy);
+  const PreparedScene<R> prepared = prepare<R>(scene, options.profile);
   rendering.stats.build_seconds = seconds_since(start);
-  rendering.stats.scene_bytes = store->bytes;
-  rendering.stats.accel_bytes = hierarchy.nodes.size() * sizeof(Node);
+  rendering.stats.scene_bytes = prepared.store->bytes;
+  rendering.stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node);
 
   const auto traced = std::chrono::steady_clock::now();
-  const TraceSettings settings{options.terms, options.max_depth, options.profile.clamp_levels,
-                               options.profile.mirror_when_total};
-  const bool complete =
-      render_tiles(store->scene, kernel, settings, options, tile, threads, rendering);
+  const bool complete = render_tiles(prepared.store->scene, kernel, settings_of(options), options,
+                                     tile, threads, rendering);
   rendering.stats.render_seconds = seconds_since(traced);
   return complete;
 }
@@ -135,29 +122,15 @@ Image means_of_corners(const Image& corners) {
     const float *above = corners.row(y), *below = corners.row(y + 1);
     float* out = image.row(y);
     for (std::size_t i = 0; i < std::size_t{3} * image.width; ++i)
-      out[i] = ((above[i] + above[i + 3]) + (below[i] + below[i + 3])) * 0.25f;
+      out[i] = mean_of_corners(above[i], above[i + 3], below[i], below[i + 3]);
   }
   return image;
-}
-
-Diagnostics check_options(const RenderOptions& options) {
-  Diagnostics found;
-  const auto in_range = [&](const char* what, int value, int low, int high) {
-    if (value < low || value > high)
-      found.push_back(
-          {.message = fmt::format("{} {} is out of range: {} to {}", what, value, low, high)});
-  };
-  in_range("depth", options.max_depth, 0, kMaxDepth);
-  in_range("number of threads", options.threads, 0, kMaxThreads);
-  in_range("tile side", options.tile, 0, kMaxTile);
-  return found;
 }
 
 }  // namespace
 
 Result<Rendering> render(const Scene& scene, const RenderOptions& options) {
-  Diagnostics problems = check_options(options);
-  for (Diagnostic& problem : check(scene)) problems.push_back(std::move(problem));
+  Diagnostics problems = check_request(scene, options);
   if (!problems.empty()) return tl::make_unexpected(std::move(problems));
   const Result<Isa> isa = choose_isa(options.isa);
   if (!isa) return tl::make_unexpected(isa.error());

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Why a pixel has its colour: its ray tree with every term, as the renderer's own steps computed
+// it.
+//
+// A Float3 is the engine's own numbers, to the bit: a colour, or a vector in world directions.
+// Folded as docs/explain.md says, they give the picture's pixel bit for bit. Places and distances
+// are in the world's units.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+#include <zraka/render.hpp>
+
+namespace zraka {
+
+using Float3 = std::array<float, 3>;
+
+/// A shape and the name that its file gives it; "" without one.
+struct NamedShape {
+  ShapeId id;
+  std::string name;
+};
+
+/// What a light does at a hit.
+enum class Reach {
+  lit,        ///< the feeler reaches it
+  unchecked,  ///< it lies before the surface, and the stage has no feelers
+  behind,     ///< L·N < 0: neither diffuse nor specular
+  blocked     ///< the feeler meets a shape before the light
+};
+
+/// Of the shapes that a feeler meets, the one nearest to the hit.
+struct Blocker {
+  NamedShape shape;
+  double distance = 0;  ///< from the feeler's start
+};
+
+/// One light at one hit. Terms that are not there were not added.
+struct LightTerms {
+  Reach reach = Reach::lit;
+  double distance = 0;  ///< from the hit to the light
+  Float3 to_light{};    ///< L, unit length
+  float l_n = 0;        ///< L·N
+  std::optional<Blocker> blocker{};
+  std::optional<Float3> diffuse{};   ///< (Ii·kd)·(L·N)
+  std::optional<float> r_v{};        ///< R·V; below 0 there is no specular term
+  std::optional<float> highlight{};  ///< (R·V)^n
+  std::optional<Float3> specular{};  ///< (Ii·ks)·(R·V)^n
+};
+
+/// Snell's law at a hit whose material refracts (sheet 3.5).
+struct SnellTerms {
+  float cosine = 0;          ///< cos α = U·N
+  float ratio = 0;           ///< b = n1/n2
+  float quarter_d = 0;       ///< D/4 = b²·cos²α - b² + 1
+  bool total = false;        ///< D < 0: total internal reflection
+  std::optional<float> a{};  ///< √(D/4) - b·cos α, if the refracted ray exists
+};
+
+/// Why a hit has no reflected or no refracted ray.
+enum class Absence {
+  none,   ///< it has one
+  share,  ///< its share is 0
+  depth,  ///< the deepest level is reached
+  stage,  ///< the stage does not have such rays
+  total   ///< total internal reflection
+};
+
+struct Child {
+  float share = 0;  ///< k1 or k2 as the fold takes it; 0 if there is no ray
+  int ray = -1;     ///< place in RayTree::rays; -1: none
+  Absence absence = Absence::none;
+};
+
+struct ExplainedHit {
+  NamedShape shape;
+  double distance = 0;  ///< from the ray's origin
+  Vec3 point;
+  Float3 normal{};       ///< N, towards the side that the ray came from
+  bool flipped = false;  ///< N was turned: the ray came from inside, or from a flat shape's back
+  Float3 ka{}, kd{}, ks{};
+  float shininess = 0, k1 = 0, k2 = 0;
+  Float3 ambient{};  ///< Ia·ka; 1 for a silhouette, 0 where the stage has none
+  std::vector<LightTerms>
+      lights;      ///< in the scene's order; empty where the stage has no such terms
+  Float3 local{};  ///< ambient and all lights' terms
+  std::optional<SnellTerms> snell;
+  Child reflected, refracted;
+  Float3 sum{};  ///< local + k1·Crefl + k2·Crefr, before it is clamped
+};
+
+enum class RayKind { camera, reflected, refracted };
+
+struct ExplainedRay {
+  RayKind kind = RayKind::camera;
+  int depth = 0;
+  int parent = -1;    ///< place in RayTree::rays
+  double weight = 1;  ///< product of the shares on the way to the pixel
+  Vec3 origin{};
+  Float3 direction{};                 ///< unit length
+  std::optional<ExplainedHit> hit{};  ///< none: the ray brings the background's colour
+  Float3 color{};                     ///< what it brings back
+};
+
+/// The camera ray first, then level by level.
+struct RayTree {
+  std::vector<ExplainedRay> rays;
+};
+
+struct ExplainedLight {
+  Vec3 position;
+  Float3 color{};  ///< Ii
+};
+
+struct Explanation {
+  std::uint32_t x = 0, y = 0;
+  Resolution resolution;
+  Terms terms;
+  Profile profile;
+  int max_depth = 0;
+  Float3 ambient_light{};  ///< Ia
+  Float3 background{};
+  std::vector<ExplainedLight> lights{};
+  /// One; or four where the pixel is the mean of its corners: upper left, upper right, lower left,
+  /// lower right.
+  std::vector<RayTree> trees{};
+  Float3 color{};  ///< the picture's, to the bit
+};
+
+/// Explains pixels of one scene. The scene must outlive it.
+class Explainer {
+ public:
+  /// Fails as render() does; and for Isa::oracle, whose numbers are none of a picture's.
+  static Result<Explainer> create(const Scene& scene, const RenderOptions& options = {});
+  static Result<Explainer> create(Scene&& scene, const RenderOptions& options = {}) = delete;
+  Explainer(Explainer&&) noexcept;
+  Explainer& operator=(Explainer&&) noexcept;
+  ~Explainer();
+
+  /// Column x, row y from the picture's upper left corner. Fails outside of the picture, and where
+  /// a tree has more rays or terms than kMaxExplainedRays and kMaxExplainedTerms.
+  Result<Explanation> pixel(std::uint32_t x, std::uint32_t y);
+
+ private:
+  struct Impl;
+  explicit Explainer(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Explains one pixel.
+Result<Explanation> explain(const Scene& scene, const RenderOptions& options, std::uint32_t x,
+                            std::uint32_t y);
+
+}  // namespace zraka

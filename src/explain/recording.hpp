@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Listening to the engine: memory for its terms, and a reader's functions as it calls them.
+#pragma once
+
+#include <vector>
+
+#include "engine/engine.hpp"
+#include "scene/frozen.hpp"
+
+namespace zraka {
+
+/// Terms of a batch, and the reader who is told when they are there. The reader has the functions
+/// at_hits, at_light, at_children and at_fold that Recording asks for.
+class RecordedTerms {
+ public:
+  template <class Reader>
+  RecordedTerms(std::int32_t batch, Reader& reader)
+      : stride_(static_cast<std::size_t>(batch) + kArrayPadding),
+        values_((static_cast<std::size_t>(Term::count) + 1) * stride_),
+        blockers_(stride_) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(Term::count); ++i)
+      recording_.terms[i] = values_.data() + i * stride_;
+    recording_.blocker_t = values_.data() + static_cast<std::size_t>(Term::count) * stride_;
+    recording_.blocker = blockers_.data();
+    recording_.reader = &reader;
+    recording_.at_hits = [](void* me, const Level<float>& level, const Scratch<float>& scratch) {
+      static_cast<Reader*>(me)->at_hits(level, scratch);
+    };
+    recording_.at_light = [](void* me, std::int32_t light, std::size_t feelers,
+                             const Level<float>& level, const Scratch<float>& scratch) {
+      static_cast<Reader*>(me)->at_light(light, feelers, level, scratch);
+    };
+    recording_.at_children = [](void* me, const Level<float>& level, const Level<float>& next) {
+      static_cast<Reader*>(me)->at_children(level, next);
+    };
+    recording_.at_fold = [](void* me, const Level<float>& level) {
+      static_cast<Reader*>(me)->at_fold(level);
+    };
+  }
+  RecordedTerms(const RecordedTerms&) = delete;
+  RecordedTerms& operator=(const RecordedTerms&) = delete;
+
+  Recording<float>& recording() { return recording_; }
+
+  /// A term of hit h of the batch.
+  float at(Term term, std::size_t h) const { return recording_.terms[static_cast<int>(term)][h]; }
+  std::array<float, 3> three_at(Term term, std::size_t h) const {
+    const auto first = static_cast<std::size_t>(term);
+    return {recording_.terms[first][h], recording_.terms[first + 1][h],
+            recording_.terms[first + 2][h]};
+  }
+
+  /// The shape that the i-th feeler meets before the light, as its slot; -1: none.
+  std::int32_t blocker(std::size_t i, const Scratch<float>& scratch) const {
+    return recording_.blocker_t[i] < scratch.fdistance[i] ? blockers_[i] : -1;
+  }
+  float blocker_distance(std::size_t i) const { return recording_.blocker_t[i]; }
+
+ private:
+  std::size_t stride_;
+  std::vector<float> values_;
+  std::vector<std::int32_t> blockers_;
+  Recording<float> recording_{};
+};
+
+/// Which of the scene's shapes a slot holds.
+inline ShapeId shape_in_slot(const FrozenScene<float>& scene, std::int32_t slot) {
+#define ZRAKA_IF(Type, plural)                                                         \
+  if (const std::int32_t at = slot - scene.plural.first_slot; at < scene.plural.count) \
+    return {kKindOf##Type,                                                             \
+            static_cast<std::uint32_t>(scene.plural.id[at] - scene.plural.first_slot)};
+  ZRAKA_SHAPES(ZRAKA_IF)
+#undef ZRAKA_IF
+  return {};
+}
+
+}  // namespace zraka

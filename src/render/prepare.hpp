@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// What comes before the first ray, for all who trace: options checked, the scene frozen.
+#pragma once
+
+#include <memory>
+#include <zraka/render.hpp>
+
+#include "engine/engine.hpp"
+#include "math/frame.hpp"
+#include "scene/freeze.hpp"
+
+namespace zraka {
+
+/// What is wrong with options or scene; empty when all is well.
+Diagnostics check_request(const Scene& scene, const RenderOptions& options);
+
+TraceSettings settings_of(const RenderOptions& options);
+
+/// The scene as the engine reads it, and the memory behind it.
+template <class R>
+struct PreparedScene {
+  Frame frame;
+  BuiltHierarchy hierarchy;
+  std::unique_ptr<FrozenStore<R>> store;
+};
+
+/// Builds and freezes a scene that check_request() finds nothing wrong with.
+template <class R>
+PreparedScene<R> prepare(const Scene& scene, const Profile& profile);
+
+/// A pixel of the spd profile from its four corners.
+inline float mean_of_corners(float upper_left, float upper_right, float lower_left,
+                             float lower_right) {
+  return ((upper_left + upper_right) + (lower_left + lower_right)) * 0.25f;
+}
+
+}  // namespace zraka
