@@ -90,7 +90,7 @@ int run(const Words& words) {
   }
   Seconds seconds;
   const auto start = std::chrono::steady_clock::now();
-  const Result<Scene> scene = words.load();
+  Result<Scene> scene = words.load();
   if (!scene) return fail(scene.error());
   seconds.load = since(start);
 
@@ -100,7 +100,7 @@ int run(const Words& words) {
   {
     Progress progress(words.quiet);
     options.progress = progress.callback();
-    rendering = render(*scene, options);
+    rendering = render(std::move(*scene), options);
   }
   if (!rendering) return fail(rendering.error());
 

@@ -98,6 +98,9 @@ struct Rendering {
 /// else. Fails on options out of range, an instruction set that is not there, a scene that is
 /// inconsistent (see check()), and on cancellation.
 Result<Rendering> render(const Scene& scene, const RenderOptions& options = {});
+/// The same for a scene that nobody needs any more: its memory is free before the hierarchy's is
+/// taken.
+Result<Rendering> render(Scene&& scene, const RenderOptions& options = {});
 
 /// Problems of a scene that a program, not a reader, has put together: unknown materials, radii of
 /// 0 or less, values that are not finite, a picture without pixels. Empty when all is well.

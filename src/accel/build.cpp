@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstring>
 #include <limits>
-#include <memory>
+#include <mutex>
+#include <utility>
 
 #include "core/handover.hpp"
 
@@ -26,6 +28,9 @@ constexpr std::size_t kSmallLeaf = 4;
 constexpr std::size_t kLargeLeaf = 12;
 /// Ranges from this size on are built by a task of their own.
 constexpr std::size_t kTaskSize = 4096;
+/// Ranges from this size on are split several at once.
+constexpr std::size_t kTogetherSize = 65536;
+constexpr std::size_t kSplitsAtOnce = 4;
 /// Below this many levels of nodes ranges are halved, whatever the heuristic says: that bounds the
 /// traversal's stack.
 constexpr int kFreeDepth = kMaxNodeDepth - 16;
@@ -40,20 +45,20 @@ Four smaller(Four a, Four b) {
 Four larger(Four a, Four b) {
   return a > b ? a : b;
 }
-/// Half of a reference; the index or the kind beside the numbers would be the tiniest of floats,
-/// which are slow.
-Four half_of(const BuildRef& ref, std::size_t half) {
-  static_assert(sizeof(BuildRef) == 2 * sizeof(Four));
+/// Three numbers from here on, and any fourth that can be read.
+Four four_at(const float* p) {
   Four v;
-  std::memcpy(&v, reinterpret_cast<const std::byte*>(&ref) + half * sizeof(v), sizeof(v));
-  v[3] = 0;
+  std::memcpy(&v, p, sizeof(v));
   return v;
 }
 Four lower_of(const BuildRef& ref) {
-  return half_of(ref, 0);
+  return four_at(ref.lower);
 }
 Four upper_of(const BuildRef& ref) {
-  return half_of(ref, 1);
+  static_assert(offsetof(BuildRef, index) == offsetof(BuildRef, upper) + sizeof(ref.upper));
+  Four v = four_at(ref.upper);
+  v[3] = 0;  // an index would be the tiniest of floats, which are slow
+  return v;
 }
 /// Twice the centre, which is all that bins need.
 Four center_of(const BuildRef& ref) {
@@ -223,141 +228,232 @@ std::pair<Range, Range> split(const Range& range, int depth) {
   return {left, right};
 }
 
-bool one_kind(const Range& range) {
-  return std::all_of(range.begin, range.end,
-                     [&](const BuildRef& r) { return r.kind == range.begin->kind; });
-}
+/// Nodes from many threads, before they have their places.
+class NodePool {
+ public:
+  std::int32_t add(const Node& node) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (size_ % kChunk == 0) chunks_.push_back(std::make_unique<Node[]>(kChunk));
+    chunks_[size_ / kChunk][size_ % kChunk] = node;
+    return static_cast<std::int32_t>(size_++);
+  }
+  std::size_t size() const { return size_; }
+  const Node& operator[](std::int32_t i) const {
+    return chunks_[static_cast<std::size_t>(i) / kChunk][static_cast<std::size_t>(i) % kChunk];
+  }
 
-/// A leaf holds one kind; a small range of several is cut where the kinds change.
-bool can_be_leaf(const Range& range, std::size_t most) {
-  return range.size() <= most && one_kind(range);
-}
-
-std::pair<Range, Range> split_kinds(const Range& range) {
-  std::sort(range.begin, range.end, [](const BuildRef& a, const BuildRef& b) {
-    return std::pair(a.kind, a.index) < std::pair(b.kind, b.index);
-  });
-  BuildRef* middle = std::find_if(range.begin, range.end,
-                                  [&](const BuildRef& r) { return r.kind != range.begin->kind; });
-  return {range_of(range.begin, middle), range_of(middle, range.end)};
-}
-
-/// A node before it has its place: its ranges, and the nodes of those that are no leaves.
-struct BuildNode {
-  struct Child {
-    BuildRef *begin, *end;
-    Bounds bounds;
-    std::unique_ptr<BuildNode> node;  // null for a leaf
-  };
-  std::vector<Child> children;
+ private:
+  static constexpr std::size_t kChunk = 1024;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Node[]>> chunks_;
+  std::size_t size_ = 0;
 };
 
-std::unique_ptr<BuildNode> build_node(const Range& whole, int depth) {
-  std::vector<Range> ranges = {whole};
-  ranges.reserve(kNodeWidth);
-  // Always splits what costs most, until sixteen children are there.
-  while (ranges.size() < kNodeWidth) {
-    Range* widest = nullptr;
-    float most = -1;
-    for (Range& range : ranges) {
-      if (can_be_leaf(range, kSmallLeaf)) continue;
-      const auto size = static_cast<float>(range.size());
-      const float cost = depth < kFreeDepth ? range.bounds.half_area() * size : size;
-      if (widest == nullptr || cost > most) most = cost, widest = &range;
-    }
-    if (widest == nullptr) break;
+class Builder {
+ public:
+  Builder(BuildRef* refs, const std::vector<std::int32_t>& kind_starts)
+      : refs_(refs), kind_starts_(kind_starts) {}
+
+  /// The node of a range, its children before it; a leaf's child is its first reference's place.
+  std::int32_t build_node(const Range& whole, int depth);
+  const NodePool& pool() const { return pool_; }
+
+ private:
+  std::int32_t kind_of(const BuildRef& ref) const {
+    std::size_t kind = 0;
+    while (ref.index >= kind_starts_[kind + 1]) ++kind;
+    return static_cast<std::int32_t>(kind);
+  }
+  bool one_kind(const Range& range) const {
+    return std::all_of(range.begin, range.end, [&](const BuildRef& r) {
+      return kind_of(r) == kind_of(*range.begin);
+    });
+  }
+  /// A leaf holds one kind; a small range of several is cut where the kinds change.
+  bool can_be_leaf(const Range& range, std::size_t most) const {
+    return range.size() <= most && one_kind(range);
+  }
+  std::pair<Range, Range> split_kinds(const Range& range) const {
+    std::sort(range.begin, range.end,
+              [](const BuildRef& a, const BuildRef& b) { return a.index < b.index; });
+    BuildRef* middle = std::find_if(range.begin, range.end, [&](const BuildRef& r) {
+      return kind_of(r) != kind_of(*range.begin);
+    });
+    return {range_of(range.begin, middle), range_of(middle, range.end)};
+  }
+  void split_one(std::vector<Range>& ranges, std::size_t i, int depth) const {
     auto [left, right] =
-        widest->size() <= kSmallLeaf ? split_kinds(*widest) : split(*widest, depth);
-    *widest = left;
+        ranges[i].size() <= kSmallLeaf ? split_kinds(ranges[i]) : split(ranges[i], depth);
+    ranges[i] = left;
     ranges.push_back(right);
   }
-  auto node = std::make_unique<BuildNode>();
-  node->children.resize(ranges.size());
+  void split_large(std::vector<Range>& ranges, const std::vector<std::size_t>& chosen,
+                   int depth) const;
+
+  BuildRef* refs_;
+  const std::vector<std::int32_t>& kind_starts_;
+  NodePool pool_;
+};
+
+/// Several large ranges at once, one task each.
+void Builder::split_large(std::vector<Range>& ranges, const std::vector<std::size_t>& chosen,
+                          int depth) const {
+  std::vector<std::pair<Range, Range>> halves(chosen.size());
+  tbb::task_group tasks;
+  Handover to_tasks, from_tasks;
+  to_tasks.give();
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    tasks.run([&, k] {
+      to_tasks.take();
+      halves[k] = split(ranges[chosen[k]], depth);
+      from_tasks.give();
+    });
+  tasks.wait();
+  from_tasks.take();
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    ranges[chosen[k]] = halves[k].first;
+    ranges.push_back(halves[k].second);
+  }
+}
+
+std::int32_t Builder::build_node(const Range& whole, int depth) {
+  std::vector<Range> ranges = {whole};
+  ranges.reserve(kNodeWidth);
+  // Always splits what costs most, of large ranges the several that do, until sixteen children are
+  // there.
+  std::vector<std::size_t> chosen;
+  while (ranges.size() < kNodeWidth) {
+    const std::size_t most_splits = std::min(kSplitsAtOnce, kNodeWidth - ranges.size());
+    chosen.clear();
+    while (chosen.size() < most_splits) {
+      std::size_t best = ranges.size();
+      float most = -1;
+      for (std::size_t i = 0; i < ranges.size(); ++i) {
+        const Range& range = ranges[i];
+        if (can_be_leaf(range, kSmallLeaf)) continue;
+        if (std::find(chosen.begin(), chosen.end(), i) != chosen.end()) continue;
+        const auto size = static_cast<float>(range.size());
+        const float cost = depth < kFreeDepth ? range.bounds.half_area() * size : size;
+        if (best == ranges.size() || cost > most) most = cost, best = i;
+      }
+      if (best == ranges.size()) break;
+      if (ranges[best].size() < kTogetherSize) {
+        if (chosen.empty()) chosen.push_back(best);
+        break;
+      }
+      chosen.push_back(best);
+    }
+    if (chosen.empty()) break;
+    if (chosen.size() == 1)
+      split_one(ranges, chosen.front(), depth);
+    else
+      split_large(ranges, chosen, depth);
+  }
+
+  Node node;
+  for (std::size_t i = 0; i < kNodeWidth; ++i) {
+    const Bounds bounds = i < ranges.size() ? ranges[i].bounds : Bounds{};
+    node.lower_x[i] = bounds.lower[0], node.lower_y[i] = bounds.lower[1],
+    node.lower_z[i] = bounds.lower[2];
+    node.upper_x[i] = bounds.upper[0], node.upper_y[i] = bounds.upper[1],
+    node.upper_z[i] = bounds.upper[2];
+    node.child[i] = node.leaf[i] = 0;
+  }
   tbb::task_group tasks;
   Handover to_tasks, from_tasks;
   to_tasks.give();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    BuildNode::Child& child = node->children[i];
-    child.begin = ranges[i].begin;
-    child.end = ranges[i].end;
-    child.bounds = ranges[i].bounds;
-    if (can_be_leaf(ranges[i], kLargeLeaf)) continue;
-    const auto build = [&child, &range = ranges[i], depth] {
-      child.node = build_node(range, depth + 1);
-    };
-    if (ranges[i].size() >= kTaskSize)
-      tasks.run([&, build] {
+    const Range& range = ranges[i];
+    if (can_be_leaf(range, kLargeLeaf)) {
+      node.child[i] = static_cast<std::int32_t>(range.begin - refs_);
+      node.leaf[i] =
+          static_cast<std::int32_t>(range.size()) + 2 * kNodeWidth * kind_of(*range.begin);
+    } else if (range.size() >= kTaskSize) {
+      tasks.run([&, i, depth] {
         to_tasks.take();
-        build();
+        node.child[i] = build_node(range, depth + 1);
         from_tasks.give();
       });
-    else
-      build();
+    } else {
+      node.child[i] = build_node(range, depth + 1);
+    }
   }
   tasks.wait();
   from_tasks.take();
-  return node;
+  return pool_.add(node);
 }
 
-/// Nodes into their places, depth first, and the primitives of the leaves into their order.
-class Placement {
- public:
-  Placement(BuiltHierarchy& out) : out_(out) {}
-
-  /// Takes the nodes apart as it goes.
-  std::int32_t place(std::unique_ptr<BuildNode> from) {
-    const std::size_t at = out_.nodes.size();
-    out_.nodes.emplace_back();
-    Node node;
-    for (std::size_t i = 0; i < kNodeWidth; ++i) {
-      const bool there = i < from->children.size();
-      const Bounds bounds = there ? from->children[i].bounds : Bounds{};
-      node.lower_x[i] = bounds.lower[0], node.lower_y[i] = bounds.lower[1],
-      node.lower_z[i] = bounds.lower[2];
-      node.upper_x[i] = bounds.upper[0], node.upper_y[i] = bounds.upper[1],
-      node.upper_z[i] = bounds.upper[2];
-      node.child[i] = node.leaf[i] = 0;
-      if (!there) continue;
-      BuildNode::Child& child = from->children[i];
-      if (child.node != nullptr)
-        node.child[i] = place(std::move(child.node));
-      else
-        place_leaf(child, node.child[i], node.leaf[i]);
-    }
-    out_.nodes[at] = node;
-    return static_cast<std::int32_t>(at);
+/// Nodes into their places, depth first; leaves count their primitives by `place_in_kind`, if there
+/// are several kinds.
+std::int32_t place(const NodePool& pool, std::int32_t from,
+                   const std::vector<std::int32_t>& place_in_kind, std::vector<Node>& nodes) {
+  const std::size_t at = nodes.size();
+  nodes.push_back(pool[from]);
+  for (std::size_t i = 0; i < kNodeWidth; ++i) {
+    const bool there = nodes[at].lower_x[i] <= nodes[at].upper_x[i];
+    const std::int32_t child = nodes[at].child[i];
+    if (!there) continue;
+    if (nodes[at].leaf[i] == 0)
+      nodes[at].child[i] = place(pool, child, place_in_kind, nodes);
+    else if (!place_in_kind.empty())
+      nodes[at].child[i] = place_in_kind[static_cast<std::size_t>(child)];
   }
-
- private:
-  void place_leaf(const BuildNode::Child& range, std::int32_t& child, std::int32_t& leaf) {
-    const std::int32_t kind = range.begin->kind;
-    std::vector<std::int32_t>& order = out_.order[static_cast<std::size_t>(kind)];
-    child = static_cast<std::int32_t>(order.size());
-    leaf = static_cast<std::int32_t>(range.end - range.begin) + 2 * kNodeWidth * kind;
-    for (const BuildRef* r = range.begin; r != range.end; ++r) order.push_back(r->index);
-  }
-  BuiltHierarchy& out_;
-};
-
-std::size_t count_nodes(const BuildNode& node) {
-  std::size_t count = 1;
-  for (const BuildNode::Child& child : node.children)
-    if (child.node != nullptr) count += count_nodes(*child.node);
-  return count;
+  return static_cast<std::int32_t>(at);
 }
 
 }  // namespace
 
-BuiltHierarchy build_hierarchy(std::vector<BuildRef>& refs, int kinds) {
+BuildRefs::BuildRefs(std::size_t size)
+    : memory_(std::malloc(std::max<std::size_t>(size, 1) * sizeof(BuildRef))), size_(size) {
+  if (memory_ == nullptr) throw std::bad_alloc();
+}
+
+std::vector<std::int32_t> BuildRefs::into_indices() && {
+  // Index i lies before reference i, so it can be written there at once.
+  auto* bytes = static_cast<std::byte*>(memory_.get());
+  for (std::size_t i = 0; i < size_; ++i)
+    std::memmove(bytes + i * sizeof(std::int32_t),
+                 bytes + i * sizeof(BuildRef) + offsetof(BuildRef, index), sizeof(std::int32_t));
+  void* less = std::realloc(memory_.get(), std::max<std::size_t>(size_, 1) * sizeof(std::int32_t));
+  if (less != nullptr) {
+    (void)memory_.release();
+    memory_.reset(less);
+  }
+  std::vector<std::int32_t> indices(size_);
+  if (size_ > 0) std::memcpy(indices.data(), memory_.get(), size_ * sizeof(std::int32_t));
+  memory_.reset();
+  size_ = 0;
+  return indices;
+}
+
+BuiltHierarchy build_hierarchy(BuildRefs refs, const std::vector<std::int32_t>& kind_starts) {
   BuiltHierarchy built;
-  built.order.resize(static_cast<std::size_t>(kinds));
-  if (refs.empty()) return built;
-  auto root = build_node(range_of(refs.data(), refs.data() + refs.size()), 0);
-  built.nodes.reserve(count_nodes(*root));
-  std::vector<std::size_t> sizes(built.order.size(), 0);
-  for (const BuildRef& ref : refs) ++sizes[static_cast<std::size_t>(ref.kind)];
-  for (std::size_t kind = 0; kind < sizes.size(); ++kind) built.order[kind].reserve(sizes[kind]);
-  Placement(built).place(std::move(root));
+  if (refs.size() == 0) return built;
+  Builder builder(refs.data(), kind_starts);
+  const std::int32_t root = builder.build_node(range_of(refs.begin(), refs.end()), 0);
+  built.order = std::move(refs).into_indices();
+
+  // By kinds: each kind's primitives in the order that they have among all.
+  const auto kinds = static_cast<std::size_t>(std::count_if(
+      kind_starts.begin() + 1, kind_starts.end(),
+      [before = kind_starts.front()](std::int32_t start) mutable {
+        return std::exchange(before, start) != start;
+      }));
+  std::vector<std::int32_t> place_in_kind;
+  if (kinds > 1) {
+    place_in_kind.resize(built.order.size());
+    std::vector<std::int32_t> grouped(built.order.size());
+    std::vector<std::int32_t> next = kind_starts;
+    for (std::size_t i = 0; i < built.order.size(); ++i) {
+      std::size_t kind = 0;
+      while (built.order[i] >= kind_starts[kind + 1]) ++kind;
+      place_in_kind[i] = next[kind] - kind_starts[kind];
+      grouped[static_cast<std::size_t>(next[kind]++)] = built.order[i];
+    }
+    built.order = std::move(grouped);
+  }
+  built.nodes.reserve(builder.pool().size());
+  place(builder.pool(), root, place_in_kind, built.nodes);
   return built;
 }
 

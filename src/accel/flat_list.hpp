@@ -25,7 +25,7 @@ ZRAKA_INLINE void nearest_of(const FrozenShapes<typename L::Real, Shape>& shapes
 template <class L>
 ZRAKA_INLINE void nearest_in_list(const FrozenScene<typename L::Real>& scene, RayLanes<L>& ray) {
 #define ZRAKA_NEAREST(Type, plural) nearest_of<L>(scene.plural, ray);
-  ZRAKA_SHAPES(ZRAKA_NEAREST)
+  ZRAKA_KINDS(ZRAKA_NEAREST)
 #undef ZRAKA_NEAREST
 }
 
@@ -50,7 +50,7 @@ ZRAKA_INLINE typename L::M blocked_in_list(const FrozenScene<typename L::Real>& 
                                            const RayLanes<L>& ray, typename L::M wanted) {
   typename L::M blocked = L::first(0);
 #define ZRAKA_BLOCKED(Type, plural) blocked = blocked_by<L>(scene.plural, ray, blocked, wanted);
-  ZRAKA_SHAPES(ZRAKA_BLOCKED)
+  ZRAKA_KINDS(ZRAKA_BLOCKED)
 #undef ZRAKA_BLOCKED
   return both(blocked, wanted);
 }

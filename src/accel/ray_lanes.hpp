@@ -26,17 +26,18 @@ ZRAKA_INLINE void with_kind(const FrozenScene<R>& scene, std::int32_t kind,
                             const Function& function) {
 #define ZRAKA_IF(Type, plural) \
   if (kind == kKindOf##Type) return function(scene.plural);
-  ZRAKA_SHAPES(ZRAKA_IF)
+  ZRAKA_KINDS(ZRAKA_IF)
 #undef ZRAKA_IF
 }
 
 /// The place in the scene as it was read of a slot's primitive.
 template <class R>
 ZRAKA_INLINE std::int32_t id_of(const FrozenScene<R>& scene, std::int32_t slot) {
-#define ZRAKA_IF(Type, plural)                             \
-  if (slot - scene.plural.first_slot < scene.plural.count) \
-    return scene.plural.id[slot - scene.plural.first_slot];
-  ZRAKA_SHAPES(ZRAKA_IF)
+#define ZRAKA_IF(Type, plural)                                               \
+  if (const std::int32_t at = slot - scene.plural.first_slot;                \
+      static_cast<std::uint32_t>(at) < static_cast<std::uint32_t>(scene.plural.count)) \
+    return scene.plural.id[at];
+  ZRAKA_KINDS(ZRAKA_IF)
 #undef ZRAKA_IF
   return slot;
 }

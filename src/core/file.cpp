@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -102,6 +103,51 @@ Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
   }
   ::close(descriptor);
   return text;
+}
+
+Result<FileText> FileText::open(const std::string& path, std::uint64_t limit) {
+  constexpr off_t kLarge = off_t{1} << 24;
+  FileText file;
+  struct stat status {};
+  if (path != "-" && ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) &&
+      status.st_size >= kLarge && static_cast<std::uint64_t>(status.st_size) <= limit) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor >= 0) {
+      const auto size = static_cast<std::size_t>(status.st_size);
+      void* mapped = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
+      ::close(descriptor);
+      if (mapped != MAP_FAILED) {
+        ::madvise(mapped, size, MADV_SEQUENTIAL);
+        file.mapped_ = mapped;
+        file.size_ = size;
+        return file;
+      }
+    }
+  }
+  Result<std::string> text = read_file(path, limit);
+  if (!text) return tl::make_unexpected(text.error());
+  file.text_ = std::move(*text);
+  return file;
+}
+
+FileText::FileText(FileText&& other) noexcept
+    : text_(std::move(other.text_)),
+      mapped_(std::exchange(other.mapped_, nullptr)),
+      size_(other.size_) {}
+
+FileText::~FileText() {
+  if (mapped_ != nullptr) ::munmap(mapped_, size_);
+}
+
+std::string_view FileText::view() const {
+  return mapped_ != nullptr ? std::string_view(static_cast<const char*>(mapped_), size_) : text_;
+}
+
+void FileText::pass(const char* at) const {
+  if (mapped_ == nullptr) return;
+  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  const auto passed = static_cast<std::size_t>(at - static_cast<const char*>(mapped_));
+  ::madvise(mapped_, std::min(passed, size_) / page * page, MADV_DONTNEED);
 }
 
 Result<NewFile> NewFile::create(const std::string& path) {

@@ -91,7 +91,7 @@ void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R
     const I slot = ray.load(scratch.slot);
 #define ZRAKA_SURFACE(Type, plural) \
   surface_of<L>(scene.plural, slot, origin, direction, point, surface, material);
-    ZRAKA_SHAPES(ZRAKA_SURFACE)
+    ZRAKA_KINDS(ZRAKA_SURFACE)
 #undef ZRAKA_SURFACE
 
     // The normal is turned to the side that the ray comes from (sheet 3.7).

@@ -18,14 +18,13 @@ constexpr std::array kFormats = {
            parse_lab_input},
 };
 
-}  // namespace
-
-Result<ReadScene> parse_scene(std::string_view text, const std::string& name) {
+Result<ReadScene> parse_text(std::string_view text, const std::string& name,
+                             const Passed& passed) {
   for (const Format& format : kFormats) {
     if (!format.looks_like(text)) continue;
     Result<ReadScene> read =
         text.size() <= format.largest
-            ? format.parse(text, name)
+            ? format.parse(text, name, passed)
             : failure(name, fmt::format("is too large: over {} bytes", format.largest));
     if (read) read->scene.format = format.name;
     return read;
@@ -33,10 +32,17 @@ Result<ReadScene> parse_scene(std::string_view text, const std::string& name) {
   return failure(name, "is of no known format");
 }
 
+}  // namespace
+
+Result<ReadScene> parse_scene(std::string_view text, const std::string& name) {
+  return parse_text(text, name, [](const char*) {});
+}
+
 Result<ReadScene> read_scene(const std::string& path) {
-  const Result<std::string> text = read_file(path, kFormats.front().largest);
-  if (!text) return tl::make_unexpected(text.error());
-  return parse_scene(*text, path == "-" ? "standard input" : path);
+  const Result<FileText> file = FileText::open(path, kFormats.front().largest);
+  if (!file) return tl::make_unexpected(file.error());
+  return parse_text(file->view(), path == "-" ? "standard input" : path,
+                    [&](const char* at) { file->pass(at); });
 }
 
 }  // namespace zraka

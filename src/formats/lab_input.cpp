@@ -372,7 +372,7 @@ Result<ReadScene> Reader::read() {
 
 }  // namespace
 
-Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name) {
+Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name, const Passed&) {
   return Reader(text, name).read();
 }
 

@@ -39,8 +39,13 @@ double length(const Vec3& a) {
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& name)
-      : at_(text.data()), end_(at_ + text.size()), text_(text), name_(name), places_(text) {}
+  Reader(std::string_view text, const std::string& name, const Passed& passed)
+      : at_(text.data()),
+        end_(at_ + text.size()),
+        text_(text),
+        name_(name),
+        places_(text),
+        passed_(passed) {}
 
   Result<ReadScene> read();
 
@@ -71,12 +76,15 @@ class Reader {
   bool read_sphere();
   bool read_cone();
   bool read_polygon(bool with_normals);
+  void look_ahead();
   void finish();
 
   const char *at_, *end_;
   std::string_view text_;
   std::string name_;
   Places places_;
+  const Passed& passed_;
+  const char* looked_ahead_ = nullptr;
   Scene scene_;
   Diagnostics errors_, warnings_;
   bool viewed_ = false, inside_out_said_ = false;
@@ -320,8 +328,31 @@ void Reader::finish() {
   scene_.ambient_light = {intensity, intensity, intensity};
 }
 
+/// Every few megabytes: what is read can go, and room is taken for what is likely to come, for a
+/// list that grows by copies is in memory twice.
+void Reader::look_ahead() {
+  constexpr std::ptrdiff_t kStep = 1 << 24;
+  if (looked_ahead_ == nullptr) looked_ahead_ = at_;
+  if (at_ - looked_ahead_ < kStep) return;
+  looked_ahead_ = at_;
+  passed_(at_);
+  const double part = static_cast<double>(at_ - text_.data()) / static_cast<double>(text_.size());
+  const auto make_room = [&](auto& objects) {
+    const double likely = static_cast<double>(objects.size()) / part * 1.01 + 1000;
+    if (objects.size() < 1000 || likely <= static_cast<double>(objects.capacity())) return;
+    try {
+      objects.reserve(static_cast<std::size_t>(likely));
+    } catch (const std::exception&) {  // it may do without
+    }
+  };
+#define ZRAKA_MAKE_ROOM(Type, plural) make_room(scene_.plural);
+  ZRAKA_SHAPES(ZRAKA_MAKE_ROOM)
+#undef ZRAKA_MAKE_ROOM
+}
+
 Result<ReadScene> Reader::read() {
   while (errors_.size() < kEnoughErrors) {
+    look_ahead();
     skip_space();
     if (at_ == end_) break;
     if (read_entity(word_at(at_))) continue;
@@ -349,8 +380,8 @@ bool looks_like_nff(std::string_view text) {
   return false;
 }
 
-Result<ReadScene> parse_nff(std::string_view text, const std::string& name) {
-  return Reader(text, name).read();
+Result<ReadScene> parse_nff(std::string_view text, const std::string& name, const Passed& passed) {
+  return Reader(text, name, passed).read();
 }
 
 }  // namespace zraka

@@ -32,18 +32,43 @@ TraceSettings settings_of(const RenderOptions& options) {
           options.profile.mirror_when_total};
 }
 
+namespace {
+
+template <class R>
+void finish(PreparedScene<R>& prepared) {
+  const std::vector<std::int32_t> kind_starts = kind_starts_of(prepared.store->scene);
+  const auto count = static_cast<std::size_t>(kind_starts.back());
+  if (count > kFewShapes) {
+    BuildRefs refs(count);
+    refer_to(prepared.store->scene, refs.data());
+    prepared.hierarchy = build_hierarchy(std::move(refs), kind_starts);
+  }
+  finish(*prepared.store, prepared.hierarchy);
+  prepared.hierarchy.order = {};
+}
+
+}  // namespace
+
 template <class R>
 PreparedScene<R> prepare(const Scene& scene, const Profile& profile) {
   PreparedScene<R> prepared{frame_of(scene), {}, nullptr};
-  if (scene.shape_count() > kFewShapes) {
-    std::vector<BuildRef> refs = references_to(scene, prepared.frame);
-    prepared.hierarchy = build_hierarchy(refs, kKinds);
-  }
-  prepared.store = freeze<R>(scene, profile, prepared.frame, prepared.hierarchy);
+  prepared.store = freeze<R>(scene, profile, prepared.frame);
+  finish(prepared);
+  return prepared;
+}
+
+template <class R>
+PreparedScene<R> prepare(Scene&& scene, const Profile& profile) {
+  PreparedScene<R> prepared{frame_of(scene), {}, nullptr};
+  prepared.store = freeze<R>(scene, profile, prepared.frame);
+  scene = Scene();
+  finish(prepared);
   return prepared;
 }
 
 template PreparedScene<float> prepare<float>(const Scene&, const Profile&);
 template PreparedScene<double> prepare<double>(const Scene&, const Profile&);
+template PreparedScene<float> prepare<float>(Scene&&, const Profile&);
+template PreparedScene<double> prepare<double>(Scene&&, const Profile&);
 
 }  // namespace zraka

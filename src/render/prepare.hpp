@@ -27,6 +27,9 @@ struct PreparedScene {
 /// Builds and freezes a scene that check_request() finds nothing wrong with.
 template <class R>
 PreparedScene<R> prepare(const Scene& scene, const Profile& profile);
+/// The same; the scene is gone before the hierarchy needs its memory.
+template <class R>
+PreparedScene<R> prepare(Scene&& scene, const Profile& profile);
 
 /// A pixel of the spd profile from its four corners.
 inline float mean_of_corners(float upper_left, float upper_right, float lower_left,

@@ -82,8 +82,6 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
     }
   };
 
-  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                            static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   to_workers.give();
   arena.execute([&] {
@@ -99,13 +97,13 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
   return !cancelled;
 }
 
-template <class R>
-bool freeze_and_render(const Scene& scene, const Kernel<R>& kernel, const RenderOptions& options,
+template <class R, class SceneRef>
+bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOptions& options,
                        int tile, int threads, Rendering& rendering) {
   const auto start = std::chrono::steady_clock::now();
-  const PreparedScene<R> prepared = prepare<R>(scene, options.profile);
+  const PreparedScene<R> prepared = prepare<R>(std::forward<SceneRef>(scene), options.profile);
   rendering.stats.build_seconds = seconds_since(start);
-  rendering.stats.scene_bytes = prepared.store->bytes;
+  rendering.stats.scene_bytes = prepared.store->bytes();
   rendering.stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node);
 
   const auto traced = std::chrono::steady_clock::now();
@@ -127,9 +125,8 @@ Image means_of_corners(const Image& corners) {
   return image;
 }
 
-}  // namespace
-
-Result<Rendering> render(const Scene& scene, const RenderOptions& options) {
+template <class SceneRef>
+Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options) {
   Diagnostics problems = check_request(scene, options);
   if (!problems.empty()) return tl::make_unexpected(std::move(problems));
   const Result<Isa> isa = choose_isa(options.isa);
@@ -137,24 +134,39 @@ Result<Rendering> render(const Scene& scene, const RenderOptions& options) {
 
   const int tile = options.tile == 0 ? kDefaultTile : options.tile;
   const int threads = options.threads == 0 ? tbb::info::default_concurrency() : options.threads;
+  const Resolution resolution = scene.resolution;
+  const std::uint64_t shapes = scene.shape_count();
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                            static_cast<std::size_t>(threads));
   Rendering rendering;
   try {
     const std::uint32_t more = options.profile.average_corners ? 1 : 0;
-    rendering.image = Image(scene.resolution.width + more, scene.resolution.height + more);
+    rendering.image = Image(resolution.width + more, resolution.height + more);
     rendering.stats.isa = *isa;
     rendering.stats.threads = threads;
     const bool complete =
         *isa == Isa::oracle
-            ? freeze_and_render(scene, isa_oracle::kKernel, options, tile, threads, rendering)
-            : freeze_and_render(scene, kernel_of(*isa), options, tile, threads, rendering);
+            ? freeze_and_render<double>(std::forward<SceneRef>(scene), isa_oracle::kKernel, options,
+                                        tile, threads, rendering)
+            : freeze_and_render<float>(std::forward<SceneRef>(scene), kernel_of(*isa), options,
+                                       tile, threads, rendering);
     if (!complete) return failure("", "the render was cancelled");
     if (more > 0) rendering.image = means_of_corners(rendering.image);
   } catch (const std::bad_alloc&) {
-    return failure(
-        "", fmt::format("not enough memory for a picture of {}×{} pixels and {} shapes",
-                        scene.resolution.width, scene.resolution.height, scene.shape_count()));
+    return failure("", fmt::format("not enough memory for a picture of {}×{} pixels and {} shapes",
+                                   resolution.width, resolution.height, shapes));
   }
   return rendering;
+}
+
+}  // namespace
+
+Result<Rendering> render(const Scene& scene, const RenderOptions& options) {
+  return render_any(scene, options);
+}
+
+Result<Rendering> render(Scene&& scene, const RenderOptions& options) {
+  return render_any(std::move(scene), options);
 }
 
 }  // namespace zraka

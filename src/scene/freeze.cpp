@@ -2,9 +2,15 @@
 // From the scene as read to the scene as traced: into the engine's frame in double, then narrowed.
 #include "scene/freeze.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+
+#include "core/handover.hpp"
 
 namespace zraka {
 namespace {
@@ -76,63 +82,107 @@ void freeze_material(const Material& m, const Profile& profile, R* row) {
   row[kRatioOut] = narrow<R>(1 / into);
 }
 
+/// Calls function(box, whether it is one of the samples) for all shapes.
+template <class Function>
+void look_at_shapes(const Scene& scene, const Function& function) {
+  constexpr std::uint64_t kSamples = 65536;
+  const std::uint64_t step = scene.shape_count() / kSamples + 1;
+  std::uint64_t index = 0;
+#define ZRAKA_LOOK(Type, plural)          \
+  for (const auto& object : scene.plural) \
+    function(ShapeTraits<Type>::bounds(object.shape), index++ % step == 0);
+  ZRAKA_SHAPES(ZRAKA_LOOK)
+#undef ZRAKA_LOOK
+}
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The objects that become shapes of this kind.
+template <class Shape>
+const auto& objects_as(const Scene& scene, bool anchored) {
+  static const std::vector<Object<Sphere>> kNone;
+  if constexpr (std::is_base_of_v<Sphere, Shape>)
+    return anchored == std::is_same_v<Shape, AnchoredSphere> ? scene.spheres : kNone;
+#define ZRAKA_ELSE(Type, plural) \
+  else if constexpr (std::is_same_v<Shape, Type>) return scene.plural;
+  ZRAKA_SHAPES(ZRAKA_ELSE)
+#undef ZRAKA_ELSE
+}
+
+/// The place of the kind's first shape in the scene as it was read.
+template <class Shape>
+std::int32_t first_id_of(const Scene& scene) {
+  std::size_t first = 0;
+#define ZRAKA_ADD(Type, plural)                               \
+  if constexpr (std::is_base_of_v<Type, Shape>)               \
+    return static_cast<std::int32_t>(first);                  \
+  else                                                        \
+    first += scene.plural.size();
+  ZRAKA_SHAPES(ZRAKA_ADD)
+#undef ZRAKA_ADD
+  return static_cast<std::int32_t>(first);
+}
+
+/// function(begin, end) for parts of [0, count), by all threads.
+template <class Function>
+void in_parallel(std::size_t count, const Function& function) {
+  constexpr std::size_t kPart = 16384;
+  if (count <= kPart) return function(std::size_t{0}, count);
+  Handover to_tasks, from_tasks;
+  to_tasks.give();
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kPart),
+                    [&](const tbb::blocked_range<std::size_t>& part) {
+                      to_tasks.take();
+                      function(part.begin(), part.end());
+                      from_tasks.give();
+                    });
+  from_tasks.take();
+}
+
+/// Is there a sphere so large beside most shapes that they need their digits where it passes them?
+bool has_ground_sphere(const Scene& scene, const Frame& frame) {
+  double largest = 0;
+  for (const Object<Sphere>& object : scene.spheres)
+    largest = std::max(largest, frame.length(object.shape.radius));
+  std::vector<double> reaches;
+  look_at_shapes(scene, [&](const Box& box, bool sample) {
+    if (!sample) return;
+    const Vec3 lower = frame.point(box.lower), upper = frame.point(box.upper);
+    reaches.push_back(std::max({std::fabs(lower.x), std::fabs(lower.y), std::fabs(lower.z),
+                                std::fabs(upper.x), std::fabs(upper.y), std::fabs(upper.z)}));
+  });
+  return !reaches.empty() && largest > 4 * median(reaches);
+}
+
 }  // namespace
 
 Frame frame_of(const Scene& scene) {
-  constexpr std::uint64_t kSamples = 65536;
-  const std::uint64_t step = scene.shape_count() / kSamples + 1;
   Box bounds;
   std::vector<double> x, y, z;
-  std::uint64_t index = 0;
-  const auto look_at = [&](const Box& box) {
+  look_at_shapes(scene, [&](const Box& box, bool sample) {
     bounds.include(box);
-    if (index++ % step != 0) return;
+    if (!sample) return;
     x.push_back(box.lower.x / 2 + box.upper.x / 2);
     y.push_back(box.lower.y / 2 + box.upper.y / 2);
     z.push_back(box.lower.z / 2 + box.upper.z / 2);
-  };
-#define ZRAKA_LOOK(Type, plural) \
-  for (const auto& object : scene.plural) look_at(ShapeTraits<Type>::bounds(object.shape));
-  ZRAKA_SHAPES(ZRAKA_LOOK)
-#undef ZRAKA_LOOK
+  });
   if (x.empty()) return {};
-  const auto median = [](std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  };
   return Frame::around({median(x), median(y), median(z)}, bounds);
 }
 
-std::vector<BuildRef> references_to(const Scene& scene, const Frame& frame) {
-  // Intersections err by a few units in the last place of the numbers that they are made of:
-  // coordinates in the scene, at most 1 in this frame, and the eye's.
-  const Vec3 eye = frame.point(scene.camera.eye);
-  const double margin =
-      0x1p-20 * (1 + std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)}));
-  std::vector<BuildRef> refs;
-  refs.reserve(scene.shape_count());
-  const auto add = [&]<class Shape>(const std::vector<Object<Shape>>& objects, std::int32_t kind) {
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-      const Box box = ShapeTraits<Shape>::bounds(objects[i].shape);
-      const Vec3 lower = frame.point(box.lower), upper = frame.point(box.upper);
-      refs.push_back({{narrow<float>(lower.x - margin), narrow<float>(lower.y - margin),
-                       narrow<float>(lower.z - margin)},
-                      static_cast<std::int32_t>(i),
-                      {narrow<float>(upper.x + margin), narrow<float>(upper.y + margin),
-                       narrow<float>(upper.z + margin)},
-                      kind});
-    }
-  };
-#define ZRAKA_ADD(Type, plural) add(scene.plural, kKindOf##Type);
-  ZRAKA_SHAPES(ZRAKA_ADD)
-#undef ZRAKA_ADD
-  return refs;
+template <class R>
+std::uint64_t FrozenStore<R>::bytes() const {
+  return reals.size() * sizeof(R) + (materials.size() + ids.size()) * sizeof(std::int32_t) +
+         lights.size() * sizeof(FrozenLight<R>);
 }
 
 template <class R>
 std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profile,
-                                       const Frame& frame, const BuiltHierarchy& hierarchy) {
+                                       const Frame& frame) {
   auto store = std::make_unique<FrozenStore<R>>();
   FrozenScene<R>& frozen = store->scene;
   frozen.camera = freeze_camera<R>(scene, profile, frame);
@@ -146,61 +196,143 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
   frozen.light_count = static_cast<std::int32_t>(store->lights.size());
 
   // One array for all the numbers: materials first, then column by column of each kind of shape.
+  const bool anchored = has_ground_sphere(scene, frame);
   std::size_t reals = scene.materials.size() * kMaterialReals;
-#define ZRAKA_COUNT(Type, plural) \
-  reals += (scene.plural.size() + kColumnPadding) * ShapeTraits<Type>::kReals;
-  ZRAKA_SHAPES(ZRAKA_COUNT)
+#define ZRAKA_COUNT(Type, plural)                                        \
+  reals += (objects_as<Type>(scene, anchored).size() + kColumnPadding) * \
+           static_cast<std::size_t>(ShapeTraits<Type>::kReals);
+  ZRAKA_KINDS(ZRAKA_COUNT)
 #undef ZRAKA_COUNT
+  store->materials.resize(scene.shape_count() + kKinds * kColumnPadding);
   store->reals.resize(reals);
-  store->indices.resize(2 * (scene.shape_count() + kKinds * kColumnPadding));
   R* real = store->reals.data();
-  std::int32_t* index = store->indices.data();
+  std::int32_t* material = store->materials.data();
 
   frozen.materials = real;
-  for (const Material& material : scene.materials) {
-    freeze_material(material, profile, real);
+  for (const Material& one : scene.materials) {
+    freeze_material(one, profile, real);
     real += kMaterialReals;
   }
 
   std::int32_t first_slot = 0;
-  const auto freeze_shapes = [&]<class Shape>(const std::vector<Object<Shape>>& objects,
-                                              FrozenShapes<R, Shape>& out, std::size_t kind) {
+  const auto freeze_shapes = [&]<class Shape>(const auto& objects, FrozenShapes<R, Shape>& out) {
     using Traits = ShapeTraits<Shape>;
     const std::size_t room = objects.size() + kColumnPadding;
     R* column[Traits::kReals];
     for (int k = 0; k < Traits::kReals; ++k, real += room) out.column[k] = column[k] = real;
-    std::int32_t* material = index;
-    std::int32_t* id = index + room;
-    index += 2 * room;
     out.material = material;
-    out.id = id;
     out.count = static_cast<std::int32_t>(objects.size());
     out.first_slot = first_slot;
+    out.first_id = first_id_of<Shape>(scene);
     first_slot += out.count;
-    for (std::size_t slot = 0; slot < objects.size(); ++slot) {
-      const std::size_t i =
-          hierarchy.order.empty() ? slot : static_cast<std::size_t>(hierarchy.order[kind][slot]);
-      double numbers[Traits::kReals];
-      Traits::freeze(objects[i].shape, frame, numbers);
-      for (int k = 0; k < Traits::kReals; ++k) column[k][slot] = narrow<R>(numbers[k]);
-      material[slot] = static_cast<std::int32_t>(objects[i].material);
-      id[slot] = out.first_slot + static_cast<std::int32_t>(i);
-    }
+    in_parallel(objects.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        double numbers[Traits::kReals];
+        Traits::freeze(objects[i].shape, frame, numbers);
+        for (int k = 0; k < Traits::kReals; ++k) column[k][i] = narrow<R>(numbers[k]);
+        material[i] = static_cast<std::int32_t>(objects[i].material);
+      }
+    });
+    material += room;
   };
-#define ZRAKA_FREEZE(Type, plural) freeze_shapes(scene.plural, frozen.plural, kKindOf##Type);
-  ZRAKA_SHAPES(ZRAKA_FREEZE)
+#define ZRAKA_FREEZE(Type, plural) freeze_shapes(objects_as<Type>(scene, anchored), frozen.plural);
+  ZRAKA_KINDS(ZRAKA_FREEZE)
 #undef ZRAKA_FREEZE
-  frozen.hierarchy = {hierarchy.nodes.empty() ? nullptr : hierarchy.nodes.data(),
-                      static_cast<std::int32_t>(hierarchy.nodes.size())};
-
-  store->bytes = store->reals.size() * sizeof(R) + store->indices.size() * sizeof(std::int32_t) +
-                 store->lights.size() * sizeof(FrozenLight<R>);
   return store;
 }
 
+template <class R>
+std::vector<std::int32_t> kind_starts_of(const FrozenScene<R>& scene) {
+  std::vector<std::int32_t> starts;
+  std::int32_t end = 0;
+  const auto add = [&](const auto& shapes) {
+    starts.push_back(shapes.first_slot);
+    end = shapes.first_slot + shapes.count;
+  };
+#define ZRAKA_ADD(Type, plural) add(scene.plural);
+  ZRAKA_KINDS(ZRAKA_ADD)
+#undef ZRAKA_ADD
+  starts.push_back(end);
+  return starts;
+}
+
+template <class R>
+void refer_to(const FrozenScene<R>& scene, BuildRef* refs) {
+  // Intersections err by a few units in the last place of the numbers that they are made of:
+  // coordinates in the scene, at most 1 in this frame, and the eye's.
+  const V3<R>& eye = scene.camera.eye;
+  const double margin =
+      0x1p-20 * (1 + static_cast<double>(
+                         std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)})));
+  const auto refer = [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
+    using Traits = ShapeTraits<Shape>;
+    in_parallel(static_cast<std::size_t>(shapes.count), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        double numbers[Traits::kHitReals];
+        for (int k = 0; k < Traits::kHitReals; ++k)
+          numbers[k] = static_cast<double>(shapes.column[k][i]);
+        const Box box = Traits::frozen_bounds(numbers);
+        const std::int32_t slot = shapes.first_slot + static_cast<std::int32_t>(i);
+        refs[slot] = {{narrow<float>(box.lower.x - margin), narrow<float>(box.lower.y - margin),
+                       narrow<float>(box.lower.z - margin)},
+                      {narrow<float>(box.upper.x + margin), narrow<float>(box.upper.y + margin),
+                       narrow<float>(box.upper.z + margin)},
+                      slot};
+      }
+    });
+  };
+#define ZRAKA_REFER(Type, plural) refer(scene.plural);
+  ZRAKA_KINDS(ZRAKA_REFER)
+#undef ZRAKA_REFER
+}
+
+template <class R>
+void finish(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
+  FrozenScene<R>& scene = store.scene;
+  scene.hierarchy = {hierarchy.nodes.empty() ? nullptr : hierarchy.nodes.data(),
+                     static_cast<std::int32_t>(hierarchy.nodes.size())};
+  store.ids.resize(store.materials.size());
+  std::int32_t* id = store.ids.data();
+  const auto finish_shapes = [&]<class Shape>(FrozenShapes<R, Shape>& shapes) {
+    const auto count = static_cast<std::size_t>(shapes.count);
+    const std::int32_t* order =
+        hierarchy.order.empty() ? nullptr : hierarchy.order.data() + shapes.first_slot;
+    shapes.id = id;
+    const std::int32_t to_id = shapes.first_id - shapes.first_slot;
+    in_parallel(count, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        id[i] = order == nullptr ? shapes.first_id + static_cast<std::int32_t>(i)
+                                 : order[i] + to_id;
+    });
+    id += count + kColumnPadding;
+    if (order == nullptr) return;
+    const auto reorder = [&]<class T>(const T* column, std::vector<T>& memory) {
+      const std::vector<T> before(column, column + count);
+      T* after = memory.data() + (column - memory.data());
+      in_parallel(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          after[i] = before[static_cast<std::size_t>(order[i] - shapes.first_slot)];
+      });
+    };
+    for (const R* column : shapes.column) reorder(column, store.reals);
+    reorder(shapes.material, store.materials);
+  };
+#define ZRAKA_FINISH(Type, plural) finish_shapes(scene.plural);
+  ZRAKA_KINDS(ZRAKA_FINISH)
+#undef ZRAKA_FINISH
+}
+
+template std::uint64_t FrozenStore<float>::bytes() const;
+template std::uint64_t FrozenStore<double>::bytes() const;
 template std::unique_ptr<FrozenStore<float>> freeze<float>(const Scene&, const Profile&,
-                                                           const Frame&, const BuiltHierarchy&);
+                                                           const Frame&);
 template std::unique_ptr<FrozenStore<double>> freeze<double>(const Scene&, const Profile&,
-                                                             const Frame&, const BuiltHierarchy&);
+                                                             const Frame&);
+template std::vector<std::int32_t> kind_starts_of(const FrozenScene<float>&);
+template std::vector<std::int32_t> kind_starts_of(const FrozenScene<double>&);
+template void refer_to(const FrozenScene<float>&, BuildRef*);
+template void refer_to(const FrozenScene<double>&, BuildRef*);
+template void finish(FrozenStore<float>&, const BuiltHierarchy&);
+template void finish(FrozenStore<double>&, const BuiltHierarchy&);
 
 }  // namespace zraka

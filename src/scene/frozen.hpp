@@ -41,10 +41,15 @@ struct FrozenCamera {
 /// Number of each kind of shape, in the order of the list.
 enum Kind : std::int32_t {
 #define ZRAKA_KIND(Type, plural) kKindOf##Type,
-  ZRAKA_SHAPES(ZRAKA_KIND)
+  ZRAKA_KINDS(ZRAKA_KIND)
 #undef ZRAKA_KIND
       kKinds
 };
+
+/// The kind in the list of shapes.
+constexpr std::int32_t kind_as_read(std::int32_t kind) {
+  return kind == kKindOfAnchoredSphere ? kKindOfSphere : kind;
+}
 
 /// Columns have room for reads of this many values past their end.
 inline constexpr std::size_t kColumnPadding = 16;
@@ -58,8 +63,9 @@ struct FrozenShapes {
   const std::int32_t* id;  ///< place in the scene as it was read, counted over all kinds; of equal
                            ///< hits the least wins
   std::int32_t count;
-  std::int32_t
-      first_slot;  ///< slots number the primitives of all kinds in the order of these arrays
+  /// Slots number the primitives of all kinds in the order of these arrays.
+  std::int32_t first_slot;
+  std::int32_t first_id;  ///< the least id
 };
 
 template <class R>
@@ -71,7 +77,7 @@ struct FrozenScene {
   std::int32_t light_count;
   const R* materials;  ///< rows of kMaterialReals
 #define ZRAKA_STORE(Type, plural) FrozenShapes<R, Type> plural;
-  ZRAKA_SHAPES(ZRAKA_STORE)
+  ZRAKA_KINDS(ZRAKA_STORE)
 #undef ZRAKA_STORE
   Hierarchy hierarchy;
 };

@@ -31,21 +31,18 @@ struct Hierarchy {
   std::int32_t node_count = 0;
 };
 
-/// A primitive as the builder sees it: its box, already enlarged, and which one it is among those
-/// of its kind.
+/// A primitive as the builder sees it: its box, already enlarged, and its slot as it was frozen.
 struct BuildRef {
-  float lower[3];
+  float lower[3], upper[3];
   std::int32_t index;
-  float upper[3];
-  std::int32_t kind;
 };
 
 /// What the builder makes of all the references.
 struct BuiltHierarchy {
   std::vector<Node> nodes;
-  /// For each kind its primitives in the order of the leaves; empty: in the order that they were
-  /// read.
-  std::vector<std::vector<std::int32_t>> order;
+  /// The primitives' slots as they were frozen, in the order of the leaves, kind after kind; empty
+  /// where there are no nodes.
+  std::vector<std::int32_t> order;
 };
 
 }  // namespace zraka

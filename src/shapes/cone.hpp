@@ -32,6 +32,14 @@ struct ShapeTraits<Cone> {
     return box;
   }
 
+  static Box frozen_bounds(const double* s) {
+    const auto along = [&](double y) {
+      return Vec3{s[0] + s[3] * y, s[1] + s[4] * y, s[2] + s[5] * y};
+    };
+    const auto radius = [&](double y) { return std::fmax(0.0, s[6] + s[7] * y); };
+    return bounds({along(-s[8]), radius(-s[8]), along(s[8]), radius(s[8])});
+  }
+
   static const char* check(const Cone& s) {
     if (!finite(s.base) || !finite(s.apex)) return "an end is not finite";
     if (!finite(s.base_radius) || !finite(s.apex_radius) || s.base_radius < 0 ||
@@ -41,7 +49,7 @@ struct ShapeTraits<Cone> {
     return nullptr;
   }
 
-  static void freeze(const Cone& s, const Frame& frame, double (&out)[kReals]) {
+  static void freeze(const Cone& s, const Frame& frame, double* out) {
     const Vec3 axis{s.apex.x - s.base.x, s.apex.y - s.base.y, s.apex.z - s.base.z};
     const double length = std::sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z);
     put(frame.point({s.base.x / 2 + s.apex.x / 2, s.base.y / 2 + s.apex.y / 2,

@@ -20,6 +20,7 @@ namespace zraka {
 ///   bounds(shape)                  a box around it, in world space
 ///   check(shape)                   what is wrong with its parameters, or nullptr
 ///   freeze(shape, frame, out)      the engine's numbers, in the engine's frame
+///   frozen_bounds(numbers)         a box around it, of the numbers, in the engine's frame
 template <class Shape>
 struct ShapeTraits;
 

@@ -6,3 +6,9 @@
 #include "shapes/smooth_triangle.hpp"
 #include "shapes/sphere.hpp"
 #include "shapes/triangle.hpp"
+
+/// X(Type, plural): every kind of shape that the engine knows. A scene's spheres are all of the one
+/// kind or all of the other.
+#define ZRAKA_KINDS(X) \
+  ZRAKA_SHAPES(X)      \
+  X(AnchoredSphere, anchored_spheres)

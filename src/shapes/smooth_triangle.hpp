@@ -14,13 +14,15 @@ struct ShapeTraits<SmoothTriangle> {
   static Triangle flat(const SmoothTriangle& s) { return {s.a, s.b, s.c}; }
   static Box bounds(const SmoothTriangle& s) { return ShapeTraits<Triangle>::bounds(flat(s)); }
 
+  static Box frozen_bounds(const double* s) { return ShapeTraits<Triangle>::frozen_bounds(s); }
+
   static const char* check(const SmoothTriangle& s) {
     if (!finite(s.normal_a) || !finite(s.normal_b) || !finite(s.normal_c))
       return "a normal is not finite";
     return ShapeTraits<Triangle>::check(flat(s));
   }
 
-  static void freeze(const SmoothTriangle& s, const Frame& frame, double (&out)[kReals]) {
+  static void freeze(const SmoothTriangle& s, const Frame& frame, double* out) {
     put(frame.point(s.a), out);
     put(frame.point(s.b), out + 3);
     put(frame.point(s.c), out + 6);

@@ -26,11 +26,15 @@ struct ShapeTraits<Triangle> {
     return box;
   }
 
+  static Box frozen_bounds(const double* s) {
+    return bounds({{s[0], s[1], s[2]}, {s[3], s[4], s[5]}, {s[6], s[7], s[8]}});
+  }
+
   static const char* check(const Triangle& s) {
     return finite(s.a) && finite(s.b) && finite(s.c) ? nullptr : "a corner is not finite";
   }
 
-  static void freeze(const Triangle& s, const Frame& frame, double (&out)[kReals]) {
+  static void freeze(const Triangle& s, const Frame& frame, double* out) {
     put(frame.point(s.a), out);
     put(frame.point(s.b), out + 3);
     put(frame.point(s.c), out + 6);
