@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hits through the hierarchy are those that asking every shape in double finds, whatever the input.
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <random>
 
 #include "accel/build.hpp"
@@ -14,6 +17,12 @@
 namespace zraka {
 namespace {
 
+BuildRefs references_to(const FrozenScene<float>& scene) {
+  BuildRefs refs(static_cast<std::size_t>(kind_starts_of(scene).back()));
+  refer_to(scene, refs.data());
+  return refs;
+}
+
 /// A scene frozen with its hierarchy in float, and without one in double.
 struct Frozen {
   Frame frame;
@@ -22,11 +31,12 @@ struct Frozen {
   std::unique_ptr<FrozenStore<double>> doubles;
 
   explicit Frozen(const Scene& scene) : frame(frame_of(scene)) {
-    std::vector<BuildRef> refs = references_to(scene, frame);
-    hierarchy = build_hierarchy(refs, kKinds);
     const Profile profile = profile_of(ProfileName::physical);
-    floats = freeze<float>(scene, profile, frame, hierarchy);
-    doubles = freeze<double>(scene, profile, frame, {});
+    floats = freeze<float>(scene, profile, frame);
+    hierarchy = build_hierarchy(references_to(floats->scene), kind_starts_of(floats->scene));
+    finish(*floats, hierarchy);
+    doubles = freeze<double>(scene, profile, frame);
+    finish(*doubles, {});
   }
 };
 
@@ -198,22 +208,24 @@ TEST(Hierarchy, TakesTheFirstOfManyEqualShapes) {
 }
 
 TEST(Hierarchy, IsBuiltFromAMillionEqualSpheres) {
-  std::vector<BuildRef> refs(1000000);
+  BuildRefs refs(1000000);
   for (std::size_t i = 0; i < refs.size(); ++i)
-    refs[i] = {{-1, -1, -1}, static_cast<std::int32_t>(i), {1, 1, 1}, kKindOfSphere};
-  const BuiltHierarchy built = build_hierarchy(refs, kKinds);
-  EXPECT_EQ(built.order[kKindOfSphere].size(), refs.size());
+    refs[i] = {{-1, -1, -1}, {1, 1, 1}, static_cast<std::int32_t>(i)};
+  std::vector<std::int32_t> order = build_hierarchy(std::move(refs), {0, 1000000}).order;
+  std::sort(order.begin(), order.end());
+  ASSERT_EQ(order.size(), 1000000u);
+  for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], static_cast<std::int32_t>(i));
 }
 
 TEST(Hierarchy, StaysFlatEnoughForItsStack) {
   // Every shape half as large as the one before and beside it: each cut takes off only a few.
-  std::vector<BuildRef> refs(20000);
+  BuildRefs refs(20000);
   for (std::size_t i = 0; i < refs.size(); ++i) {
     const float at = std::ldexp(1.0f, -static_cast<int>(i % 140)),
                 size = at * (1 + 1e-6f * static_cast<float>(i));
-    refs[i] = {{at, 0, 0}, static_cast<std::int32_t>(i), {at + size, size, size}, kKindOfSphere};
+    refs[i] = {{at, 0, 0}, {at + size, size, size}, static_cast<std::int32_t>(i)};
   }
-  const BuiltHierarchy built = build_hierarchy(refs, kKinds);
+  const BuiltHierarchy built = build_hierarchy(std::move(refs), {0, 20000});
   std::vector<std::pair<std::int32_t, int>> open = {{0, 1}};
   int deepest = 0;
   while (!open.empty()) {
@@ -229,13 +241,17 @@ TEST(Hierarchy, StaysFlatEnoughForItsStack) {
 }
 
 TEST(Hierarchy, IsTheSameFromAnyNumberOfThreads) {
-  const Scene scene = everything(20000, 0.05);
-  const Frame frame = frame_of(scene);
-  std::vector<BuildRef> refs = references_to(scene, frame);
-  const BuiltHierarchy first = build_hierarchy(refs, kKinds);
-  for (int i = 0; i < 3; ++i) {
-    refs = references_to(scene, frame);
-    EXPECT_EQ(build_hierarchy(refs, kKinds).order, first.order);
+  const Scene scene = everything(60000, 0.05);
+  const auto store = freeze<float>(scene, profile_of(ProfileName::physical), frame_of(scene));
+  const std::vector<std::int32_t> starts = kind_starts_of(store->scene);
+  const BuiltHierarchy first = build_hierarchy(references_to(store->scene), starts);
+  for (const std::size_t threads : {1, 2, 3}) {
+    tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const BuiltHierarchy again = build_hierarchy(references_to(store->scene), starts);
+    EXPECT_EQ(again.order, first.order);
+    ASSERT_EQ(again.nodes.size(), first.nodes.size());
+    EXPECT_EQ(
+        std::memcmp(again.nodes.data(), first.nodes.data(), first.nodes.size() * sizeof(Node)), 0);
   }
 }
 

@@ -42,7 +42,7 @@ TEST(Picture, HasTheBitsThatItAlwaysHad) {
       "d7231f82c37b7e2db344c7390508511880fbef6ea87e99864c424db8b9a562ce");
   EXPECT_EQ(
       sha256(render(scenes[1].scene, {.profile = profile_of(ProfileName::lab)}).value().image),
-      "6d5218d668715f5a378899c0ca340a9d9307c2ca190d2d65e96d7fae754f6ff2");
+      "abe69bf4fc7362f9eaa95297b13f6c34baf9c6d014479a9657b54b75ce0ac895");
 }
 
 TEST(Picture, IsWhatTheDoubleOracleComputes) {

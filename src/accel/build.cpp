@@ -11,6 +11,7 @@
 #include <cstring>
 #include <limits>
 #include <mutex>
+#include <new>
 #include <utility>
 
 #include "core/handover.hpp"
@@ -28,9 +29,8 @@ constexpr std::size_t kSmallLeaf = 4;
 constexpr std::size_t kLargeLeaf = 12;
 /// Ranges from this size on are built by a task of their own.
 constexpr std::size_t kTaskSize = 4096;
-/// Ranges from this size on are split several at once.
-constexpr std::size_t kTogetherSize = 65536;
-constexpr std::size_t kSplitsAtOnce = 4;
+/// Ranges from this size on are cut into sixteen at once.
+constexpr std::size_t kGridSize = 16384;
 /// Below this many levels of nodes ranges are halved, whatever the heuristic says: that bounds the
 /// traversal's stack.
 constexpr int kFreeDepth = kMaxNodeDepth - 16;
@@ -75,6 +75,7 @@ struct Bounds {
     upper = larger(upper, up);
   }
   void include(const Bounds& other) { include(other.lower, other.upper); }
+  bool empty() const { return !(lower[0] <= upper[0]); }
   float half_area() const {
     const Four size = upper - lower;
     return size[0] < 0 ? 0 : size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
@@ -97,42 +98,89 @@ Range range_of(BuildRef* begin, BuildRef* end) {
   return range;
 }
 
+Bounds centers_of(const BuildRef* begin, const BuildRef* end) {
+  Bounds centers;
+  for (const BuildRef* r = begin; r != end; ++r) {
+    const Four center = center_of(*r);
+    centers.include(center, center);
+  }
+  return centers;
+}
+
+Bounds centers_by_tasks(const BuildRef* begin, const BuildRef* end) {
+  Handover handover;
+  handover.give();
+  const Bounds centers = tbb::parallel_reduce(
+      tbb::blocked_range<const BuildRef*>(begin, end, 16 * kTaskSize), Bounds(),
+      [&](const tbb::blocked_range<const BuildRef*>& part, Bounds sum) {
+        handover.take();
+        sum.include(centers_of(part.begin(), part.end()));
+        handover.give();
+        return sum;
+      },
+      [](Bounds a, const Bounds& b) {
+        a.include(b);
+        return a;
+      });
+  handover.take();
+  return centers;
+}
+
 struct Bin {
   Bounds bounds;
-  std::size_t count = 0;
+  std::uint32_t count = 0;
 };
-/// Bins along all three axes.
-using Bins = std::array<std::array<Bin, kBins>, 3>;
 
 /// Which bin a centre falls into along each axis; monotonous in the centre.
 struct Binning {
-  Four from, scale;
+  Four from, scale, last;
   int count;
   explicit Binning(const Range& range)
-      : from(range.centers.lower), count(range.size() < kFewBinsSize ? kBins / 2 : kBins) {
+      : Binning(range, range.size() < kFewBinsSize ? kBins / 2 : kBins) {}
+  Binning(const Range& range, int bins) : from(range.centers.lower), count(bins) {
     const Four extent = range.centers.upper - from;
     for (int a = 0; a < 4; ++a) {
       const float s = a < 3 ? static_cast<float>(count) / extent[a] : 0;
       scale[a] = s > 0 && s < std::numeric_limits<float>::max() ? s : 0;  // 0: no extent, no bins
+      last[a] = static_cast<float>(count - 1);
     }
   }
-  std::size_t bin(const BuildRef& ref, std::size_t axis) const {
-    const Four place = (center_of(ref) - from) * scale;
-    return bin_at(static_cast<int>(place[static_cast<int>(axis)]));
-  }
-  std::size_t bin_at(int place) const {
-    return static_cast<std::size_t>(std::clamp(place, 0, count - 1));
+  FourInts bins_of(Four lower, Four upper) const {
+    const Four place = smaller((lower + upper - from) * scale, last);
+    return __builtin_convertvector(larger(place, Four{}), FourInts);
   }
 };
 
+/// Bins along all three axes.
+class Bins {
+ public:
+  explicit Bins(int count) : count_(static_cast<std::size_t>(count)) {
+    for (std::size_t i = 0; i < 3 * count_; ++i) new (bins_ + i) Bin;
+  }
+  std::size_t count() const { return count_; }
+  Bin& at(std::size_t axis, std::size_t i) { return bins_[axis * count_ + i]; }
+  const Bin& at(std::size_t axis, std::size_t i) const { return bins_[axis * count_ + i]; }
+  void add(const Bins& other) {
+    for (std::size_t i = 0; i < 3 * count_; ++i) {
+      bins_[i].bounds.include(other.bins_[i].bounds);
+      bins_[i].count += other.bins_[i].count;
+    }
+  }
+
+ private:
+  std::size_t count_;
+  union {
+    Bin bins_[3 * kBins];  // as many as are counted
+  };
+};
+
 Bins binned(const BuildRef* begin, const BuildRef* end, const Binning& binning) {
-  Bins bins;
+  Bins bins(binning.count);
   for (const BuildRef* r = begin; r != end; ++r) {
     const Four lower = lower_of(*r), upper = upper_of(*r);
-    const auto place =
-        __builtin_convertvector((lower + upper - binning.from) * binning.scale, FourInts);
+    const FourInts places = binning.bins_of(lower, upper);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      Bin& bin = bins[axis][binning.bin_at(place[static_cast<int>(axis)])];
+      Bin& bin = bins.at(axis, static_cast<std::size_t>(places[static_cast<int>(axis)]));
       bin.bounds.include(lower, upper);
       ++bin.count;
     }
@@ -147,24 +195,15 @@ Bins binned_by_tasks(const Range& range, const Binning& binning) {
   Handover handover;
   handover.give();
   const Bins bins = tbb::parallel_reduce(
-      tbb::blocked_range<BuildRef*>(range.begin, range.end, 4 * kTaskSize), Bins(),
+      tbb::blocked_range<BuildRef*>(range.begin, range.end, 4 * kTaskSize), Bins(binning.count),
       [&](const tbb::blocked_range<BuildRef*>& part, Bins sum) {
         handover.take();
-        const Bins more = binned(part.begin(), part.end(), binning);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          for (std::size_t b = 0; b < kBins; ++b) {
-            sum[axis][b].bounds.include(more[axis][b].bounds);
-            sum[axis][b].count += more[axis][b].count;
-          }
+        sum.add(binned(part.begin(), part.end(), binning));
         handover.give();
         return sum;
       },
       [](Bins a, const Bins& b) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          for (std::size_t i = 0; i < kBins; ++i) {
-            a[axis][i].bounds.include(b[axis][i].bounds);
-            a[axis][i].count += b[axis][i].count;
-          }
+        a.add(b);
         return a;
       });
   handover.take();
@@ -175,6 +214,7 @@ struct Split {
   std::size_t axis = 3;  // 3: none was found
   std::size_t bin = 0;   // the first of the right side
   float cost = std::numeric_limits<float>::infinity();
+  Bounds left, right;
 };
 
 Split best_split(const Range& range, const Binning& binning) {
@@ -183,23 +223,24 @@ Split best_split(const Range& range, const Binning& binning) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!(binning.scale[static_cast<int>(axis)] > 0)) continue;
     // Costs of everything left of each border, then from the right.
-    const auto count = static_cast<std::size_t>(binning.count);
+    const std::size_t count = bins.count();
     std::array<float, kBins> left{};
     Bin sum;
     for (std::size_t b = 0; b + 1 < count; ++b) {
-      sum.bounds.include(bins[axis][b].bounds);
-      sum.count += bins[axis][b].count;
+      sum.bounds.include(bins.at(axis, b).bounds);
+      sum.count += bins.at(axis, b).count;
       left[b + 1] = sum.bounds.half_area() * static_cast<float>(sum.count);
     }
     sum = {};
     for (std::size_t b = count - 1; b > 0; --b) {
-      sum.bounds.include(bins[axis][b].bounds);
-      sum.count += bins[axis][b].count;
+      sum.bounds.include(bins.at(axis, b).bounds);
+      sum.count += bins.at(axis, b).count;
       if (sum.count == 0 || sum.count == range.size()) continue;
       const float cost = left[b] + sum.bounds.half_area() * static_cast<float>(sum.count);
-      if (cost < best.cost) best = {axis, b, cost};
+      if (cost < best.cost) best = {axis, b, cost, {}, sum.bounds};
     }
   }
+  for (std::size_t b = 0; b < best.bin; ++b) best.left.include(bins.at(best.axis, b).bounds);
   return best;
 }
 
@@ -211,21 +252,174 @@ std::pair<Range, Range> split(const Range& range, int depth) {
     BuildRef* middle = range.begin + range.size() / 2;
     return {range_of(range.begin, middle), range_of(middle, range.end)};
   }
-  // From both ends at once, and the bounds of the parts on the way.
-  Range left{range.begin, range.begin, {}, {}}, right{range.end, range.end, {}, {}};
-  const auto take = [](Range& side, const BuildRef& ref) {
-    side.bounds.include(lower_of(ref), upper_of(ref));
-    side.centers.include(center_of(ref), center_of(ref));
-  };
-  while (left.end != right.begin) {
-    if (binning.bin(*left.end, best.axis) < best.bin) {
-      take(left, *left.end++);
-    } else {
-      std::swap(*left.end, *--right.begin);
-      take(right, *right.begin);
+  // From both ends at once.
+  const auto axis = static_cast<int>(best.axis), border = static_cast<int>(best.bin);
+  BuildRef* middle = std::partition(range.begin, range.end, [&](const BuildRef& ref) {
+    return binning.bins_of(lower_of(ref), upper_of(ref))[axis] < border;
+  });
+  Range left{range.begin, middle, best.left, centers_of(range.begin, middle)};
+  Range right{middle, range.end, best.right, centers_of(middle, range.end)};
+  return {left, right};
+}
+
+/// A range's references counted by cells of their centres, 16 a side: four levels of splits from
+/// one look at the references.
+class Grid {
+ public:
+  explicit Grid(const Binning& binning) : binning_(binning), bounds_(kCells), counts_(kCells, 0) {}
+
+  std::size_t cell_of(const BuildRef& ref) const {
+    const FourInts at = binning_.bins_of(lower_of(ref), upper_of(ref));
+    return static_cast<std::size_t>((at[2] * kSide + at[1]) * kSide + at[0]);
+  }
+  void count(const BuildRef* begin, const BuildRef* end) {
+    for (const BuildRef* r = begin; r != end; ++r) {
+      const std::size_t cell = cell_of(*r);
+      bounds_[cell].include(lower_of(*r), upper_of(*r));
+      ++counts_[cell];
     }
   }
-  return {left, right};
+  void add(const Grid& other) {
+    for (std::size_t i = 0; i < kCells; ++i) {
+      bounds_[i].include(other.bounds_[i]);
+      counts_[i] += other.counts_[i];
+    }
+  }
+  /// At most `most` ranges, each with its bounds but not those of its centres, in place of one;
+  /// fewer than two where all references lie in one cell.
+  std::vector<Range> cut(const Range& range, std::size_t most) const;
+
+ private:
+  static constexpr int kSide = 16;
+  static constexpr std::size_t kCells = std::size_t{kSide} * kSide * kSide;
+
+  /// A box of cells, and where to split it best.
+  struct Block {
+    int from[3] = {0, 0, 0}, to[3] = {kSide, kSide, kSide};
+    Bounds bounds;
+    std::size_t count = 0;
+    int axis = 3, border = 0;  // 3: cannot be split
+  };
+  template <class Function>
+  static void each_cell(const Block& block, const Function& function) {
+    for (int z = block.from[2]; z < block.to[2]; ++z)
+      for (int y = block.from[1]; y < block.to[1]; ++y)
+        for (int x = block.from[0]; x < block.to[0]; ++x)
+          function(static_cast<std::size_t>((z * kSide + y) * kSide + x), x, y, z);
+  }
+  void look_into(Block& block) const;
+
+  Binning binning_;
+  std::vector<Bounds> bounds_;
+  std::vector<std::uint32_t> counts_;
+};
+
+/// Its bounds, its count, and its best split.
+void Grid::look_into(Block& block) const {
+  std::array<std::array<Bin, kSide>, 3> slabs;
+  each_cell(block, [&](std::size_t cell, int x, int y, int z) {
+    if (counts_[cell] == 0) return;
+    for (const auto& [axis, at] : {std::pair(0, x), std::pair(1, y), std::pair(2, z)}) {
+      Bin& slab = slabs[static_cast<std::size_t>(axis)][static_cast<std::size_t>(at)];
+      slab.bounds.include(bounds_[cell]);
+      slab.count += counts_[cell];
+    }
+  });
+  block.bounds = {};
+  block.count = 0;
+  block.axis = 3;
+  for (const Bin& slab : slabs[0]) {
+    block.bounds.include(slab.bounds);
+    block.count += slab.count;
+  }
+  float best = std::numeric_limits<float>::infinity();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::array<float, kSide> left{};
+    Bin sum;
+    for (std::size_t i = 0; i + 1 < kSide; ++i) {
+      sum.bounds.include(slabs[axis][i].bounds);
+      sum.count += slabs[axis][i].count;
+      left[i + 1] = sum.bounds.half_area() * static_cast<float>(sum.count);
+    }
+    sum = {};
+    for (std::size_t i = kSide - 1; i > 0; --i) {
+      sum.bounds.include(slabs[axis][i].bounds);
+      sum.count += slabs[axis][i].count;
+      if (sum.count == 0 || sum.count == block.count) continue;
+      const float cost = left[i] + sum.bounds.half_area() * static_cast<float>(sum.count);
+      if (cost >= best) continue;
+      best = cost;
+      block.axis = static_cast<int>(axis);
+      block.border = static_cast<int>(i);
+    }
+  }
+}
+
+std::vector<Range> Grid::cut(const Range& range, std::size_t most) const {
+  std::vector<Block> blocks(1);
+  look_into(blocks.front());
+  while (blocks.size() < most) {
+    Block* widest = nullptr;
+    float cost = -1;
+    for (Block& block : blocks) {
+      const float its = block.bounds.half_area() * static_cast<float>(block.count);
+      if (block.axis < 3 && (widest == nullptr || its > cost)) cost = its, widest = &block;
+    }
+    if (widest == nullptr) break;
+    Block right = *widest;
+    widest->to[widest->axis] = right.from[widest->axis] = widest->border;
+    look_into(*widest);
+    look_into(right);
+    blocks.push_back(right);
+  }
+
+  // Each reference into its block's part, by exchange with what stands where it belongs.
+  std::vector<std::uint8_t> block_of(kCells);
+  std::vector<Range> ranges;
+  std::vector<BuildRef*> next;
+  BuildRef* at = range.begin;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    each_cell(blocks[i], [&](std::size_t cell, int, int, int) {
+      block_of[cell] = static_cast<std::uint8_t>(i);
+    });
+    ranges.push_back({at, at + blocks[i].count, blocks[i].bounds, {}});
+    next.push_back(at);
+    at += blocks[i].count;
+  }
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+    while (next[i] != ranges[i].end) {
+      BuildRef moving = *next[i];
+      for (std::size_t to; (to = block_of[cell_of(moving)]) != i;) std::swap(moving, *next[to]++);
+      *next[i]++ = moving;
+    }
+  return ranges;
+}
+
+/// The grid of a large range, by several tasks.
+Grid counted(const Range& range, const Binning& binning) {
+  Grid grid(binning);
+  constexpr std::size_t kPart = std::size_t{1} << 18;
+  if (range.size() <= kPart) {
+    grid.count(range.begin, range.end);
+    return grid;
+  }
+  Handover handover;
+  handover.give();
+  grid = tbb::parallel_reduce(
+      tbb::blocked_range<BuildRef*>(range.begin, range.end, kPart), Grid(binning),
+      [&](const tbb::blocked_range<BuildRef*>& part, Grid sum) {
+        handover.take();
+        sum.count(part.begin(), part.end());
+        handover.give();
+        return sum;
+      },
+      [](Grid a, const Grid& b) {
+        a.add(b);
+        return a;
+      },
+      tbb::simple_partitioner());
+  handover.take();
+  return grid;
 }
 
 /// Nodes from many threads, before they have their places.
@@ -255,7 +449,7 @@ class Builder {
       : refs_(refs), kind_starts_(kind_starts) {}
 
   /// The node of a range, its children before it; a leaf's child is its first reference's place.
-  std::int32_t build_node(const Range& whole, int depth);
+  std::int32_t build_node(Range whole, int depth);
   const NodePool& pool() const { return pool_; }
 
  private:
@@ -265,9 +459,8 @@ class Builder {
     return static_cast<std::int32_t>(kind);
   }
   bool one_kind(const Range& range) const {
-    return std::all_of(range.begin, range.end, [&](const BuildRef& r) {
-      return kind_of(r) == kind_of(*range.begin);
-    });
+    return std::all_of(range.begin, range.end,
+                       [&](const BuildRef& r) { return kind_of(r) == kind_of(*range.begin); });
   }
   /// A leaf holds one kind; a small range of several is cut where the kinds change.
   bool can_be_leaf(const Range& range, std::size_t most) const {
@@ -281,74 +474,45 @@ class Builder {
     });
     return {range_of(range.begin, middle), range_of(middle, range.end)};
   }
-  void split_one(std::vector<Range>& ranges, std::size_t i, int depth) const {
-    auto [left, right] =
-        ranges[i].size() <= kSmallLeaf ? split_kinds(ranges[i]) : split(ranges[i], depth);
-    ranges[i] = left;
-    ranges.push_back(right);
-  }
-  void split_large(std::vector<Range>& ranges, const std::vector<std::size_t>& chosen,
-                   int depth) const;
+  void split_greedily(std::vector<Range>& ranges, int depth) const;
 
   BuildRef* refs_;
   const std::vector<std::int32_t>& kind_starts_;
   NodePool pool_;
 };
 
-/// Several large ranges at once, one task each.
-void Builder::split_large(std::vector<Range>& ranges, const std::vector<std::size_t>& chosen,
-                          int depth) const {
-  std::vector<std::pair<Range, Range>> halves(chosen.size());
-  tbb::task_group tasks;
-  Handover to_tasks, from_tasks;
-  to_tasks.give();
-  for (std::size_t k = 0; k < chosen.size(); ++k)
-    tasks.run([&, k] {
-      to_tasks.take();
-      halves[k] = split(ranges[chosen[k]], depth);
-      from_tasks.give();
-    });
-  tasks.wait();
-  from_tasks.take();
-  for (std::size_t k = 0; k < chosen.size(); ++k) {
-    ranges[chosen[k]] = halves[k].first;
-    ranges.push_back(halves[k].second);
+/// Always splits what costs most, until sixteen children are there.
+void Builder::split_greedily(std::vector<Range>& ranges, int depth) const {
+  while (ranges.size() < kNodeWidth) {
+    std::size_t best = ranges.size();
+    float most = -1;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      const Range& range = ranges[i];
+      if (can_be_leaf(range, kSmallLeaf)) continue;
+      const auto size = static_cast<float>(range.size());
+      const float cost = depth < kFreeDepth ? range.bounds.half_area() * size : size;
+      if (best == ranges.size() || cost > most) most = cost, best = i;
+    }
+    if (best == ranges.size()) return;
+    auto [left, right] =
+        ranges[best].size() <= kSmallLeaf ? split_kinds(ranges[best]) : split(ranges[best], depth);
+    ranges[best] = left;
+    ranges.push_back(right);
   }
 }
 
-std::int32_t Builder::build_node(const Range& whole, int depth) {
-  std::vector<Range> ranges = {whole};
+std::int32_t Builder::build_node(Range whole, int depth) {
+  if (whole.centers.empty()) whole.centers = centers_by_tasks(whole.begin, whole.end);
+  std::vector<Range> ranges;
   ranges.reserve(kNodeWidth);
-  // Always splits what costs most, of large ranges the several that do, until sixteen children are
-  // there.
-  std::vector<std::size_t> chosen;
-  while (ranges.size() < kNodeWidth) {
-    const std::size_t most_splits = std::min(kSplitsAtOnce, kNodeWidth - ranges.size());
-    chosen.clear();
-    while (chosen.size() < most_splits) {
-      std::size_t best = ranges.size();
-      float most = -1;
-      for (std::size_t i = 0; i < ranges.size(); ++i) {
-        const Range& range = ranges[i];
-        if (can_be_leaf(range, kSmallLeaf)) continue;
-        if (std::find(chosen.begin(), chosen.end(), i) != chosen.end()) continue;
-        const auto size = static_cast<float>(range.size());
-        const float cost = depth < kFreeDepth ? range.bounds.half_area() * size : size;
-        if (best == ranges.size() || cost > most) most = cost, best = i;
-      }
-      if (best == ranges.size()) break;
-      if (ranges[best].size() < kTogetherSize) {
-        if (chosen.empty()) chosen.push_back(best);
-        break;
-      }
-      chosen.push_back(best);
-    }
-    if (chosen.empty()) break;
-    if (chosen.size() == 1)
-      split_one(ranges, chosen.front(), depth);
-    else
-      split_large(ranges, chosen, depth);
+  if (whole.size() >= kGridSize && depth < kFreeDepth) {
+    const Binning binning(whole, kBins);
+    ranges = counted(whole, binning).cut(whole, kNodeWidth);
+  } else {
+    ranges = {whole};
+    split_greedily(ranges, depth);
   }
+  if (ranges.size() < 2) split_greedily(ranges, depth);
 
   Node node;
   for (std::size_t i = 0; i < kNodeWidth; ++i) {
@@ -430,15 +594,17 @@ BuiltHierarchy build_hierarchy(BuildRefs refs, const std::vector<std::int32_t>& 
   BuiltHierarchy built;
   if (refs.size() == 0) return built;
   Builder builder(refs.data(), kind_starts);
-  const std::int32_t root = builder.build_node(range_of(refs.begin(), refs.end()), 0);
+  Range all{refs.begin(), refs.end(), {}, {}};
+  if (refs.size() < kGridSize) all = range_of(refs.begin(), refs.end());
+  const std::int32_t root = builder.build_node(all, 0);
   built.order = std::move(refs).into_indices();
 
   // By kinds: each kind's primitives in the order that they have among all.
-  const auto kinds = static_cast<std::size_t>(std::count_if(
-      kind_starts.begin() + 1, kind_starts.end(),
-      [before = kind_starts.front()](std::int32_t start) mutable {
-        return std::exchange(before, start) != start;
-      }));
+  const auto kinds = static_cast<std::size_t>(
+      std::count_if(kind_starts.begin() + 1, kind_starts.end(),
+                    [before = kind_starts.front()](std::int32_t start) mutable {
+                      return std::exchange(before, start) != start;
+                    }));
   std::vector<std::int32_t> place_in_kind;
   if (kinds > 1) {
     place_in_kind.resize(built.order.size());

@@ -33,8 +33,8 @@ ZRAKA_INLINE void with_kind(const FrozenScene<R>& scene, std::int32_t kind,
 /// The place in the scene as it was read of a slot's primitive.
 template <class R>
 ZRAKA_INLINE std::int32_t id_of(const FrozenScene<R>& scene, std::int32_t slot) {
-#define ZRAKA_IF(Type, plural)                                               \
-  if (const std::int32_t at = slot - scene.plural.first_slot;                \
+#define ZRAKA_IF(Type, plural)                                                         \
+  if (const std::int32_t at = slot - scene.plural.first_slot;                          \
       static_cast<std::uint32_t>(at) < static_cast<std::uint32_t>(scene.plural.count)) \
     return scene.plural.id[at];
   ZRAKA_KINDS(ZRAKA_IF)

@@ -18,8 +18,7 @@ constexpr std::array kFormats = {
            parse_lab_input},
 };
 
-Result<ReadScene> parse_text(std::string_view text, const std::string& name,
-                             const Passed& passed) {
+Result<ReadScene> parse_text(std::string_view text, const std::string& name, const Passed& passed) {
   for (const Format& format : kFormats) {
     if (!format.looks_like(text)) continue;
     Result<ReadScene> read =

@@ -4,6 +4,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ namespace {
 template <class R>
 R narrow(double v) {
   constexpr double kLargest = std::numeric_limits<R>::max();
-  return static_cast<R>(std::fmin(std::fmax(v, -kLargest), kLargest));
+  return static_cast<R>(std::clamp(v, -kLargest, kLargest));
 }
 
 template <class R>
@@ -82,17 +83,45 @@ void freeze_material(const Material& m, const Profile& profile, R* row) {
   row[kRatioOut] = narrow<R>(1 / into);
 }
 
-/// Calls function(box, whether it is one of the samples) for all shapes.
+/// Calls function(box) for some shapes, evenly over all.
 template <class Function>
-void look_at_shapes(const Scene& scene, const Function& function) {
+void each_sample(const Scene& scene, const Function& function) {
   constexpr std::uint64_t kSamples = 65536;
   const std::uint64_t step = scene.shape_count() / kSamples + 1;
-  std::uint64_t index = 0;
-#define ZRAKA_LOOK(Type, plural)          \
-  for (const auto& object : scene.plural) \
-    function(ShapeTraits<Type>::bounds(object.shape), index++ % step == 0);
+  std::uint64_t index = 0;  // over all kinds
+#define ZRAKA_LOOK(Type, plural)                                    \
+  for (; index < scene.plural.size(); index += step)                \
+    function(ShapeTraits<Type>::bounds(scene.plural[index].shape)); \
+  index -= scene.plural.size();
   ZRAKA_SHAPES(ZRAKA_LOOK)
 #undef ZRAKA_LOOK
+}
+
+Box bounds_of(const Scene& scene) {
+  Box bounds;
+  const auto include = [&]<class Shape>(const std::vector<Object<Shape>>& objects) {
+    using Iterator = typename std::vector<Object<Shape>>::const_iterator;
+    Handover handover;
+    handover.give();
+    bounds.include(tbb::parallel_reduce(
+        tbb::blocked_range<Iterator>(objects.begin(), objects.end(), 65536), Box(),
+        [&](const tbb::blocked_range<Iterator>& part, Box sum) {
+          handover.take();
+          for (const Object<Shape>& object : part)
+            sum.include(ShapeTraits<Shape>::bounds(object.shape));
+          handover.give();
+          return sum;
+        },
+        [](Box a, const Box& b) {
+          a.include(b);
+          return a;
+        }));
+    handover.take();
+  };
+#define ZRAKA_INCLUDE(Type, plural) include(scene.plural);
+  ZRAKA_SHAPES(ZRAKA_INCLUDE)
+#undef ZRAKA_INCLUDE
+  return bounds;
 }
 
 double median(std::vector<double>& values) {
@@ -117,10 +146,10 @@ const auto& objects_as(const Scene& scene, bool anchored) {
 template <class Shape>
 std::int32_t first_id_of(const Scene& scene) {
   std::size_t first = 0;
-#define ZRAKA_ADD(Type, plural)                               \
-  if constexpr (std::is_base_of_v<Type, Shape>)               \
-    return static_cast<std::int32_t>(first);                  \
-  else                                                        \
+#define ZRAKA_ADD(Type, plural)                 \
+  if constexpr (std::is_base_of_v<Type, Shape>) \
+    return static_cast<std::int32_t>(first);    \
+  else                                          \
     first += scene.plural.size();
   ZRAKA_SHAPES(ZRAKA_ADD)
 #undef ZRAKA_ADD
@@ -149,8 +178,7 @@ bool has_ground_sphere(const Scene& scene, const Frame& frame) {
   for (const Object<Sphere>& object : scene.spheres)
     largest = std::max(largest, frame.length(object.shape.radius));
   std::vector<double> reaches;
-  look_at_shapes(scene, [&](const Box& box, bool sample) {
-    if (!sample) return;
+  each_sample(scene, [&](const Box& box) {
     const Vec3 lower = frame.point(box.lower), upper = frame.point(box.upper);
     reaches.push_back(std::max({std::fabs(lower.x), std::fabs(lower.y), std::fabs(lower.z),
                                 std::fabs(upper.x), std::fabs(upper.y), std::fabs(upper.z)}));
@@ -161,17 +189,14 @@ bool has_ground_sphere(const Scene& scene, const Frame& frame) {
 }  // namespace
 
 Frame frame_of(const Scene& scene) {
-  Box bounds;
   std::vector<double> x, y, z;
-  look_at_shapes(scene, [&](const Box& box, bool sample) {
-    bounds.include(box);
-    if (!sample) return;
+  each_sample(scene, [&](const Box& box) {
     x.push_back(box.lower.x / 2 + box.upper.x / 2);
     y.push_back(box.lower.y / 2 + box.upper.y / 2);
     z.push_back(box.lower.z / 2 + box.upper.z / 2);
   });
   if (x.empty()) return {};
-  return Frame::around({median(x), median(y), median(z)}, bounds);
+  return Frame::around({median(x), median(y), median(z)}, bounds_of(scene));
 }
 
 template <class R>
@@ -262,8 +287,8 @@ void refer_to(const FrozenScene<R>& scene, BuildRef* refs) {
   // coordinates in the scene, at most 1 in this frame, and the eye's.
   const V3<R>& eye = scene.camera.eye;
   const double margin =
-      0x1p-20 * (1 + static_cast<double>(
-                         std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)})));
+      0x1p-20 *
+      (1 + static_cast<double>(std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)})));
   const auto refer = [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
     using Traits = ShapeTraits<Shape>;
     in_parallel(static_cast<std::size_t>(shapes.count), [&](std::size_t begin, std::size_t end) {
@@ -301,8 +326,8 @@ void finish(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
     const std::int32_t to_id = shapes.first_id - shapes.first_slot;
     in_parallel(count, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        id[i] = order == nullptr ? shapes.first_id + static_cast<std::int32_t>(i)
-                                 : order[i] + to_id;
+        id[i] =
+            order == nullptr ? shapes.first_id + static_cast<std::int32_t>(i) : order[i] + to_id;
     });
     id += count + kColumnPadding;
     if (order == nullptr) return;

@@ -118,8 +118,8 @@ struct PlainPower {
   static ZRAKA_INLINE F magnitude(const F* s, const V3<F>&) { return s[3] + s[3]; }
 };
 
-/// From the anchor a as g·(g + 2w) with g = p - a, w = a - centre: for a sphere that is large beside
-/// the scene the squares would leave no digits for the distance from its surface.
+/// From the anchor a as g·(g + 2w) with g = p - a, w = a - centre: for a sphere that is large
+/// beside the scene the squares would leave no digits for the distance from its surface.
 template <class L>
 struct AnchoredPower {
   using F = typename L::F;
