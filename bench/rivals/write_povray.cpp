@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// write_povray SCENE OUTPUT: a scene in the language of POV-Ray 3.7.
+//
+// The camera's vectors say where pixels' rays go, whatever the hand; they are stretched so that a
+// picture with a column and a row more has a ray for each corner of our pixels. What POV-Ray does
+// otherwise: light shines through what refracts, total internal reflection mirrors, highlights are
+// white.
+#include <algorithm>
+
+#include "scene_writer.hpp"
+
+namespace {
+
+using namespace zraka;
+using namespace zraka::rivals;
+
+std::string vector(const Vec3& v) {
+  return fmt::format("<{:.9g},{:.9g},{:.9g}>", v.x, v.y, v.z);
+}
+
+void add_camera(const Scene& scene, Text& out) {
+  const Camera& c = scene.camera;
+  const auto more = [](std::uint32_t pixels) { return (pixels + 1.0) / pixels; };
+  out.add("camera {{ perspective location {} direction {} right {} up {} }}\n", vector(c.eye),
+          vector(c.window_center - c.eye), vector(c.window_right * more(scene.resolution.width)),
+          vector(c.window_up * more(scene.resolution.height)));
+}
+
+std::string texture(const Material& m) {
+  // A share that is transmitted is taken from diffuse and ambient light; ours is not.
+  const double through = std::min(m.refraction, 0.999), rest = 1 / (1 - through);
+  const auto share = [](double ka, double kd) { return kd > 0 ? ka / kd : 0; };
+  const double kd = mean(m.diffuse);
+  const Color pigment = kd > 0 ? m.diffuse : m.ambient;
+  const Color ambient =
+      kd > 0 ? Color{share(m.ambient.r, m.diffuse.r), share(m.ambient.g, m.diffuse.g),
+                     share(m.ambient.b, m.diffuse.b)}
+             : Color{1, 1, 1};
+  Text out;
+  out.add("texture {{ pigment {{ rgbt <{:.9g},{:.9g},{:.9g},{:.9g}> }} ", pigment.r, pigment.g,
+          pigment.b, through);
+  out.add("finish {{ ambient rgb <{:.9g},{:.9g},{:.9g}> diffuse {:.9g} ", ambient.r * rest,
+          ambient.g * rest, ambient.b * rest, kd > 0 ? rest : 0);
+  if (mean(m.specular) > 0)
+    out.add("phong {:.9g} phong_size {:.9g} ", mean(m.specular), std::max(m.shininess, 1e-3));
+  if (m.reflection > 0) out.add("reflection {:.9g} ", m.reflection);
+  out.add("}} }}");
+  if (m.refraction > 0) out.add(" interior {{ ior {:.9g} }}", m.refractive);
+  return out.str();
+}
+
+/// The triangles of each material as a mesh, which has a bounding hierarchy of its own.
+template <class Shape, class Write>
+void add_meshes(const std::vector<Object<Shape>>& objects, std::size_t materials,
+                const Write& write, Text& out) {
+  std::vector<std::vector<const Shape*>> of(materials);
+  for (const Object<Shape>& object : objects) of[object.material].push_back(&object.shape);
+  for (std::size_t m = 0; m < materials; ++m) {
+    if (of[m].empty()) continue;
+    out.add("mesh {{\n");
+    for (const Shape* shape : of[m]) write(*shape);
+    out.add("M{}() }}\n", m);
+  }
+}
+
+std::string translate(const Scene& scene) {
+  Text out;
+  out.add("#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level 5 adc_bailout 0 ");
+  out.add("ambient_light rgb <{:.9g},{:.9g},{:.9g}> }}\n", scene.ambient_light.r,
+          scene.ambient_light.g, scene.ambient_light.b);
+  add_camera(scene, out);
+  out.add("background {{ rgb <{:.9g},{:.9g},{:.9g}> }}\n", scene.background.r, scene.background.g,
+          scene.background.b);
+  for (const PointLight& light : scene.lights)
+    out.add("light_source {{ {} rgb <{:.9g},{:.9g},{:.9g}> }}\n", vector(light.position),
+            light.color.r, light.color.g, light.color.b);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    out.add("#macro M{}() {} #end\n", i, texture(scene.materials[i]));
+
+  for (const auto& [s, material] : scene.spheres)
+    out.add("sphere {{ {}, {:.9g} M{}() }}\n", vector(s.center), s.radius, material);
+  for (const auto& [s, material] : scene.cones)
+    out.add("cone {{ {}, {:.9g}, {}, {:.9g} open M{}() }}\n", vector(s.base), s.base_radius,
+            vector(s.apex), s.apex_radius, material);
+  add_meshes(
+      scene.triangles, scene.materials.size(),
+      [&](const Triangle& s) {
+        out.add("triangle {{ {}, {}, {} }}\n", vector(s.a), vector(s.b), vector(s.c));
+      },
+      out);
+  add_meshes(
+      scene.smooth_triangles, scene.materials.size(),
+      [&](const SmoothTriangle& s) {
+        out.add("smooth_triangle {{ {}, {}, {}, {}, {}, {} }}\n", vector(s.a), vector(s.normal_a),
+                vector(s.b), vector(s.normal_b), vector(s.c), vector(s.normal_c));
+      },
+      out);
+  return out.str();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return translate_file(argc, argv, translate);
+}
