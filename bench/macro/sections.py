@@ -7,6 +7,10 @@ from contest import Result, contest
 from tables import factor, ms, show
 
 
+def thousands(number):
+    return f"{number:,}".replace(",", " ")
+
+
 def rays_of(run):
     return sum(run.details["rays"].values())
 
@@ -23,7 +27,7 @@ def growth(words, contenders, zraka, folder, options):
     for word in words:
         scene = scenes.from_word(word, zraka, folder)
         results = contest(scene, contenders, folder, options)
-        row = [scene.name, f"{shapes_of(scene):,}".replace(",", " ")]
+        row = [scene.name, thousands(shapes_of(scene))]
         for contender in contenders:
             result = results[contender.name]
             if not result.runs:
@@ -84,7 +88,7 @@ def large(word, contenders, zraka, folder, options):
                      f"{peak / shapes:.0f}", f"{kept / shapes:.0f}"])
         record.append({"program": contender.name, "shapes": shapes, "load": steps[0], "build": steps[1],
                        "render": steps[2], "peak_bytes": peak, "scene_bytes": kept})
-    show(f"{scene.name}, {shapes:,} shapes, seconds (Embree reads with zraka's reader):".replace(",", " ", 1),
+    show(f"{scene.name}, {thousands(shapes)} shapes, seconds (Embree reads with zraka's reader):",
          ["program", "load", "build", "render", "all", "peak, MB", "bytes a shape", "of them scene and hierarchy"], rows,
          options.markdown)
     return record

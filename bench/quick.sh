@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# quick.sh ZRAKA PROGRAMS: everything of the benchmarks once and tiny, so that they cannot rot. Times are not judged;
+# bits, pictures and tables are. Exit code 77: skipped.
+set -u
+zraka=$1
+programs=$2
+cd "$(dirname "$(readlink -f "$0")")" || exit 1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failed=0
+fail() {
+  echo "FAILED: $*"
+  failed=1
+}
+
+command -v python3 >/dev/null || { echo "skipped: python3 is not there (package python3)"; exit 77; }
+export PYTHONDONTWRITEBYTECODE=1
+macro() { python3 macro --zraka "$zraka" --programs "$programs" "$@"; }
+
+macro --quick --markdown --threads 2 --json "$folder/times.json" >"$folder/tables" 2>"$folder/words" ||
+  fail "the macro benchmark: $(cat "$folder/words")"
+cat "$folder/tables"
+for title in "Render alone" "Whole process" "Growth" "Scaling" "sphereflake:2@64, 92 shapes"; do
+  grep -q "^$title" "$folder/tables" || fail "no table '$title'"
+done
+[ "$(grep -c '^| terrain:3@64 |' "$folder/tables")" -ge 3 ] || fail "no rows for terrain:3@64"
+python3 - "$folder/times.json" <<'END' || fail "the JSON: see above"
+import json, sys
+record = json.load(open(sys.argv[1]))
+runs = [run for entry in record["contest"] if entry["program"] == "zraka" for run in entry["runs"]]
+assert len(runs) == 5 and all(run["render"] > 0 and len(run["sha256"]) == 64 for run in runs), runs
+assert all(entry["seconds_per_ray"] > 0 for entry in record["growth"])
+END
+
+# What it says when something is wrong.
+expect() {
+  local text=$1
+  shift
+  macro "$@" >"$folder/words" 2>&1 && fail "exit code 0: $*"
+  grep -qF -- "$text" "$folder/words" || fail "no '$text' from $*: $(head -c 300 "$folder/words")"
+}
+expect "'cube' names no scene" --quick --scenes cube --rivals ''
+expect "'vray' is no rival" --rivals vray
+expect "nowhere.nff is no file" nowhere.nff --rivals ''
+mkdir "$folder/changed"
+cp -r macro rivals "$folder/changed/"
+sed 's/"picture": "......../"picture": "00000000/' pins.json >"$folder/changed/pins.json"
+mkdir "$folder/scenes" && cp -r ../scenes/lab "$folder/scenes/"
+python3 "$folder/changed/macro" --zraka "$zraka" --programs "$programs" --rivals '' --rounds 1 --scenes terrain:3@64 \
+  >"$folder/words" 2>&1 && fail "a changed picture is not noticed"
+grep -q "terrain:3@64: the picture has changed" "$folder/words" || fail "a changed picture: $(cat "$folder/words")"
+
+if [ -x "$programs/micro_benchmarks" ]; then
+  "$programs/micro_benchmarks" --benchmark_min_time=0.0001 --benchmark_format=csv >"$folder/micro" 2>/dev/null ||
+    fail "the micro-benchmarks"
+  for part in intersect nearest blocked surfaces light spawn fold power build prepare read; do
+    grep -q "^\"$part/" "$folder/micro" || fail "no micro-benchmark of $part"
+  done
+else
+  echo "without the micro-benchmarks: they were not built (package libbenchmark-dev)"
+fi
+exit $failed
