@@ -206,7 +206,7 @@ void add_intersections(const Probe& probe) {
                                [probe, hits](benchmark::State& s) {                        \
                                  time_intersect<Type>(s, probe, kKindOf##Type, hits);      \
                                });
-    ZRAKA_SHAPES(ZRAKA_TIME)
+    ZRAKA_KINDS(ZRAKA_TIME)
 #undef ZRAKA_TIME
   }
 }
@@ -290,10 +290,12 @@ void add_power(const Probe& probe) {
 
 void time_build(benchmark::State& state, const TimedScene& which) {
   const Scene scene = must(parse_scene(generated_text(which.name, which.size), which.name)).scene;
-  const Frame frame = frame_of(scene);
+  const auto store = freeze<float>(scene, profile_of(ProfileName::physical), frame_of(scene));
+  const std::vector<std::int32_t> kind_starts = kind_starts_of(store->scene);
   for (auto _ : state) {
-    std::vector<BuildRef> refs = references_to(scene, frame);
-    benchmark::DoNotOptimize(build_hierarchy(refs, kKinds));
+    BuildRefs refs(static_cast<std::size_t>(kind_starts.back()));
+    refer_to(store->scene, refs.data());
+    benchmark::DoNotOptimize(build_hierarchy(std::move(refs), kind_starts));
   }
   count_items(state, scene.shape_count());
 }

@@ -94,7 +94,7 @@ micro::Probe probe();
 micro::Probe probe() {
   micro::Probe probe;
 #define ZRAKA_INTERSECT(Type, plural) probe.intersect[kKindOf##Type] = intersect<Type>;
-  ZRAKA_SHAPES(ZRAKA_INTERSECT)
+  ZRAKA_KINDS(ZRAKA_INTERSECT)
 #undef ZRAKA_INTERSECT
   probe.nearest = nearest;
   probe.blocked = blocked;
