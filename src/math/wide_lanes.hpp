@@ -186,6 +186,32 @@ ZRAKA_INLINE FloatLanes round_to_integer(FloatLanes a) {
   return hn::Round(a.v);
 }
 
+namespace wide {
+/// For each mask of eight lanes the places of those that are set, a byte each. Highway's own table
+/// is copied to the stack by g++ 12, a kilobyte at every use.
+struct PackTable {
+  alignas(64) std::uint8_t places[256][8];
+  constexpr PackTable() : places{} {
+    for (unsigned mask = 0; mask < 256; ++mask)
+      for (unsigned lane = 0, to = 0; lane < 8; ++lane)
+        if ((mask >> lane & 1) != 0) places[mask][to++] = static_cast<std::uint8_t>(lane);
+  }
+};
+inline constexpr PackTable kPackTable{};
+
+template <class Tag, class T>
+ZRAKA_INLINE void pack(Tag tag, hn::Vec<Tag> v, hn::Mask<Tag> m, std::uint32_t mask_bits, T* p) {
+  if constexpr (hn::MaxLanes(Tag()) == 8) {
+    const auto bytes =
+        hn::LoadU(hn::Rebind<std::uint8_t, Tag>(), kPackTable.places[mask_bits & 0xFF]);
+    const auto places = hn::IndicesFromVec(tag, hn::PromoteTo(hn::RebindToSigned<Tag>(), bytes));
+    hn::StoreU(hn::TableLookupLanes(v, places), tag, p);
+  } else {
+    hn::CompressStore(v, m, tag, p);
+  }
+}
+}  // namespace wide
+
 struct WideLanes {
   using Real = float;
   using F = FloatLanes;
@@ -215,10 +241,10 @@ struct WideLanes {
   }
   /// May write up to kWidth values, of which the first count(m) are meant.
   static ZRAKA_INLINE void compress_store(F v, M m, float* p) {
-    hn::CompressStore(v.v, m.v, wide::d, p);
+    wide::pack(wide::d, v.v, m.v, bits(m), p);
   }
   static ZRAKA_INLINE void compress_store(I v, M m, std::int32_t* p) {
-    hn::CompressStore(v.v, hn::RebindMask(wide::di, m.v), wide::di, p);
+    wide::pack(wide::di, v.v, hn::RebindMask(wide::di, m.v), bits(m), p);
   }
   static ZRAKA_INLINE M first(std::size_t n) { return {hn::FirstN(wide::d, n)}; }
   static ZRAKA_INLINE M from_bits(std::uint32_t b) {
