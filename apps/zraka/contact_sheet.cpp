@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "glyphs/font.hpp"
+#include "image/alter.hpp"
 
 namespace zraka::app {
 namespace {
@@ -16,27 +17,6 @@ constexpr float kPaper = 0.16f, kInk = 0.92f;
 
 float clamped(float v) {
   return v > 0 ? std::min(v, 1.0f) : 0.0f;
-}
-
-/// Means over the pixels that fall into each pixel of a smaller picture.
-Image reduced(const Image& image, std::uint32_t width, std::uint32_t height) {
-  Image small(width, height);
-  for (std::uint32_t y = 0; y < height; ++y)
-    for (std::uint32_t x = 0; x < width; ++x) {
-      const auto from = [](std::uint32_t i, std::uint32_t all, std::uint32_t n) {
-        return static_cast<std::uint32_t>(std::uint64_t{i} * all / n);
-      };
-      const std::uint32_t y0 = from(y, image.height, height),
-                          y1 = from(y + 1, image.height, height);
-      const std::uint32_t x0 = from(x, image.width, width), x1 = from(x + 1, image.width, width);
-      float sum[3] = {};
-      for (std::uint32_t v = y0; v < y1; ++v)
-        for (std::uint32_t u = x0; u < x1; ++u)
-          for (std::size_t c = 0; c < 3; ++c) sum[c] += clamped(image.row(v)[3 * u + c]);
-      const auto count = static_cast<float>(std::uint64_t{y1 - y0} * (x1 - x0));
-      for (std::size_t c = 0; c < 3; ++c) small.row(y)[3 * x + c] = sum[c] / count;
-    }
-  return small;
 }
 
 void paste(const Image& from, Image& onto, std::uint32_t left, std::uint32_t top) {
@@ -102,7 +82,8 @@ Image contact_sheet(const std::vector<std::vector<Captioned>>& rows, std::uint32
   for (const auto& row : rows) {
     std::uint32_t left = kMargin;
     for (const Captioned& entry : row) {
-      paste(reduced(*entry.image, width, height), sheet, left, top);
+      paste(scaled_by_area(encoded(*entry.image, Transfer::linear), width, height), sheet, left,
+            top);
       if (font) write_caption(*font, entry.caption, sheet, left, top + height, width);
       left += width + kMargin;
     }

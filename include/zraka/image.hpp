@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture in memory, and its way into a file.
+// A picture in memory, its way into a file, and back.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 #include <zraka/diagnostic.hpp>
+#include <zraka/limits.hpp>
 
 namespace zraka {
 
-/// Linear RGB floats, row by row from the top, three a pixel.
+/// RGB floats, row by row from the top, three a pixel: linear light where a picture was rendered,
+/// for one that was read see ReadImage.
 struct Image {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -38,8 +41,30 @@ std::uint16_t quantize(float value, Transfer transfer, int bits);
 /// it was.
 Result<void> write_png(const Image& image, const std::string& path, const PngOptions& options = {});
 
-/// Reads an 8 or 16 bit PNG: stored values divided by their maximum, no curve undone.
-Result<Image> read_png(const std::string& path);
+/// The bytes that write_png() writes.
+Result<std::string> encode_png(const Image& image, const PngOptions& options = {});
+
+/// A picture from a file. Grey is three equal values; transparent pixels are laid over black, which
+/// OpenEXR's already are (its colours are multiplied by alpha).
+struct ReadImage {
+  /// Integers divided by their largest value, no curve undone: nothing in such a file says reliably
+  /// whether they went through one. Floats as they are, with their infinities and NaNs.
+  Image image;
+  std::string format;   ///< "PNG", "JPEG", "PPM", "PGM", "PFM" or "OpenEXR"
+  int bits = 8;         ///< of a stored value: 8 or 16 (fewer count as 8), or those of a float
+  bool floats = false;  ///< linear light, not bounded by 1
+  bool alpha = false;   ///< a PNG with pixels that are not opaque
+};
+
+/// Reads a picture that its first bytes, not its name, tell to be a PNG, a JPEG, a PPM or PGM
+/// (text or binary, up to 16 bits), a PFM or an OpenEXR (docs/compare.md). "-" is standard input.
+/// Fails where the file is cut off, damaged or of another kind, or has more than `max_pixels`
+/// pixels; a file's word about its size is not trusted with memory before it was checked.
+Result<ReadImage> read_image(const std::string& path, std::uint64_t max_pixels = kMaxPixels);
+
+/// The same for a file in memory; `name` is for the messages.
+Result<ReadImage> parse_image(std::string_view bytes, const std::string& name,
+                              std::uint64_t max_pixels = kMaxPixels);
 
 /// SHA-256, in hexadecimal, of width and height (32 bit) and the pixels' float bits, all
 /// little-endian.

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <csetjmp>
+#include <cstdlib>
+#include <cstring>
 #include <vector>
 #include <zraka/image.hpp>
-#include <zraka/limits.hpp>
 
 #include "core/file.hpp"
 #include "image/quantize.hpp"
+#include "image/readers.hpp"
 
 namespace zraka {
 namespace {
@@ -46,28 +48,139 @@ bool write_rows(png_structp png, png_infop info, std::FILE* stream, const Image&
   return true;
 }
 
-bool read_header(png_structp png, png_infop info, std::FILE* stream, std::uint32_t& width,
-                 std::uint32_t& height, int& bits) {
+/// Empty where all went well, else libpng's words.
+std::string write_to(std::FILE* stream, const Image& image, const PngOptions& options) {
+  PngMessage message;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, on_error, on_warning);
+  png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
+  if (info == nullptr) {
+    png_destroy_write_struct(&png, nullptr);
+    return "not enough memory";
+  }
+  std::vector<unsigned char> row(std::size_t{3} * image.width * (options.bits == 16 ? 2 : 1));
+  const RowQuantizer quantizer(options.transfer, options.bits);
+  const bool good = write_rows(png, info, stream, image, quantizer, options.bits, row.data());
+  png_destroy_write_struct(&png, &info);
+  return good ? "" : message.text;
+}
+
+/// Where libpng reads from.
+struct Source {
+  const char* at;
+  std::size_t left;
+};
+
+void read_bytes(png_structp png, png_bytep out, std::size_t count) {
+  auto* source = static_cast<Source*>(png_get_io_ptr(png));
+  if (source->left < count) png_error(png, "the file ends too early");
+  std::memcpy(out, source->at, count);
+  source->at += count;
+  source->left -= count;
+}
+
+struct Header {
+  std::uint32_t width, height;
+  std::size_t stored_row_bytes;  ///< as they are in the file
+  bool interlaced;
+};
+
+bool read_header(png_structp png, png_infop info, Source* source, Header& header) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng's way
-  png_init_io(png, stream);
-  png_set_user_limits(png, 1000000, 1000000);
+  png_set_read_fn(png, source, read_bytes);
+  // The caller judges the size; text, profiles and the like are not kept.
+  png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+  png_set_chunk_malloc_max(png, 1 << 20);
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
   png_read_info(png, info);
+  header = {png_get_image_width(png, info), png_get_image_height(png, info),
+            png_get_rowbytes(png, info), png_get_interlace_type(png, info) != PNG_INTERLACE_NONE};
+  return true;
+}
+
+/// Makes RGBA rows of 8 or 16 bits a channel of everything that a PNG can hold.
+bool start_rows(png_structp png, png_infop info, int& bits) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng's way
   png_set_expand(png);
-  png_set_strip_alpha(png);
   png_set_gray_to_rgb(png);
+  png_set_add_alpha(png, 0xFFFF, PNG_FILLER_AFTER);
   png_set_interlace_handling(png);
   png_read_update_info(png, info);
-  width = png_get_image_width(png, info);
-  height = png_get_image_height(png, info);
   bits = png_get_bit_depth(png, info);
   return true;
 }
 
-bool read_rows(png_structp png, png_bytepp rows) {
+/// Stored values over black. True if a pixel is not opaque.
+bool take_row(const unsigned char* in, int bits, std::uint32_t width, float* out) {
+  bool see_through = false;
+  const auto value = [&](std::size_t i) {
+    return bits == 16 ? static_cast<float>(in[2 * i] * 256 + in[2 * i + 1]) / 65535.0f
+                      : static_cast<float>(in[i]) / 255.0f;
+  };
+  for (std::size_t x = 0; x < width; ++x) {
+    const float alpha = value(4 * x + 3);
+    see_through = see_through || alpha < 1;
+    for (std::size_t c = 0; c < 3; ++c) out[3 * x + c] = alpha * value(4 * x + c);
+  }
+  return see_through;
+}
+
+/// An interlaced picture's rows come together in several passes, so `bytes` holds all of them; else
+/// it holds one row.
+bool read_rows(png_structp png, const Header& header, int bits, unsigned char* bytes,
+               std::size_t row_bytes, ReadImage& read) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng's way
-  png_read_image(png, rows);
+  for (int pass = 0; header.interlaced && pass < PNG_INTERLACE_ADAM7_PASSES; ++pass)
+    for (std::size_t y = 0; y < header.height; ++y)
+      png_read_row(png, bytes + y * row_bytes, nullptr);
+  for (std::uint32_t y = 0; y < header.height; ++y) {
+    if (!header.interlaced) png_read_row(png, bytes, nullptr);
+    const unsigned char* row = header.interlaced ? bytes + y * row_bytes : bytes;
+    if (take_row(row, bits, header.width, read.image.row(y))) read.alpha = true;
+  }
   png_read_end(png, nullptr);
   return true;
+}
+
+/// What libpng keeps for a picture, until it is read.
+class PngReader {
+ public:
+  PngReader()
+      : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &message_, on_error, on_warning)),
+        info_(png_ == nullptr ? nullptr : png_create_info_struct(png_)) {}
+  ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+
+  Result<ReadImage> read(const ImageFile& file);
+
+ private:
+  PngMessage message_;
+  png_structp png_;
+  png_infop info_;
+};
+
+Result<ReadImage> PngReader::read(const ImageFile& file) {
+  const auto problem = [&] {
+    return failure(file.name, fmt::format("is no PNG that can be read: {}", message_.text));
+  };
+  if (info_ == nullptr) return failure(file.name, "cannot be read: not enough memory");
+  Source source{file.bytes.data(), file.bytes.size()};
+  Header header{};
+  if (!read_header(png_, info_, &source, header)) return problem();
+  if (const Result<void> fits = file.check_size(header.width, header.height); !fits)
+    return tl::make_unexpected(fits.error());
+  // Deflate makes at most 1032 bytes of one.
+  if (std::uint64_t{header.stored_row_bytes} * header.height / 1032 > file.bytes.size())
+    return failure(file.name, fmt::format("is cut off: {} bytes cannot hold {}×{} pixels",
+                                          file.bytes.size(), header.width, header.height));
+  ReadImage read;
+  read.format = "PNG";
+  if (!start_rows(png_, info_, read.bits)) return problem();
+  const std::size_t row_bytes = png_get_rowbytes(png_, info_);
+  std::vector<unsigned char> bytes(header.interlaced ? row_bytes * header.height : row_bytes);
+  read.image = Image(header.width, header.height);
+  if (!read_rows(png_, header, read.bits, bytes.data(), row_bytes, read)) return problem();
+  return read;
 }
 
 }  // namespace
@@ -75,61 +188,29 @@ bool read_rows(png_structp png, png_bytepp rows) {
 Result<void> write_png(const Image& image, const std::string& path, const PngOptions& options) {
   Result<NewFile> file = NewFile::create(path);
   if (!file) return tl::make_unexpected(file.error());
-  PngMessage message;
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, on_error, on_warning);
-  png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
-  if (info == nullptr) {
-    png_destroy_write_struct(&png, nullptr);
-    return failure(path, "cannot be written: not enough memory");
-  }
-  std::vector<unsigned char> row(std::size_t{3} * image.width * (options.bits == 16 ? 2 : 1));
-  const RowQuantizer quantizer(options.transfer, options.bits);
-  const bool good =
-      write_rows(png, info, file->stream(), image, quantizer, options.bits, row.data());
-  png_destroy_write_struct(&png, &info);
+  const std::string problem = write_to(file->stream(), image, options);
   // Where the disk is full, the stream knows the reason better than libpng.
-  if (!good && std::ferror(file->stream()) == 0)
-    return failure(path, fmt::format("cannot be written: {}", message.text));
+  if (!problem.empty() && std::ferror(file->stream()) == 0)
+    return failure(path, fmt::format("cannot be written: {}", problem));
   return file->commit();
 }
 
-Result<Image> read_png(const std::string& path) {
-  std::FILE* stream = std::fopen(path.c_str(), "rb");
-  if (stream == nullptr) return failure(path, "cannot be read");
-  PngMessage message;
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message, on_error, on_warning);
-  png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
-  const auto finish = [&] {
-    png_destroy_read_struct(&png, &info, nullptr);
-    std::fclose(stream);
-  };
-  std::uint32_t width = 0, height = 0;
-  int bits = 0;
-  if (info == nullptr || !read_header(png, info, stream, width, height, bits)) {
-    finish();
-    return failure(path, fmt::format("is no PNG that can be read: {}", message.text));
-  }
-  if (std::uint64_t{width} * height > kMaxPixels) {
-    finish();
-    return failure(path, fmt::format("is too large: {}×{} pixels", width, height));
-  }
-  const std::size_t row_bytes = png_get_rowbytes(png, info);
-  std::vector<unsigned char> bytes(row_bytes * height);
-  std::vector<png_bytep> rows(height);
-  for (std::size_t y = 0; y < height; ++y) rows[y] = bytes.data() + y * row_bytes;
-  const bool good = read_rows(png, rows.data());
-  finish();
-  if (!good) return failure(path, fmt::format("is no PNG that can be read: {}", message.text));
+Result<std::string> encode_png(const Image& image, const PngOptions& options) {
+  char* bytes = nullptr;
+  std::size_t size = 0;
+  std::FILE* stream = ::open_memstream(&bytes, &size);
+  if (stream == nullptr) return failure("", "a PNG cannot be made: not enough memory");
+  const std::string problem = write_to(stream, image, options);
+  const bool closed = std::fclose(stream) == 0;
+  std::string png(bytes, size);
+  std::free(bytes);  // NOLINT: open_memstream's memory
+  if (!problem.empty() || !closed)
+    return failure("", fmt::format("a PNG cannot be made: {}", problem));
+  return png;
+}
 
-  Image image(width, height);
-  for (std::uint32_t y = 0; y < height; ++y) {
-    const unsigned char* in = rows[y];
-    float* out = image.row(y);
-    for (std::size_t i = 0; i < std::size_t{3} * width; ++i)
-      out[i] = bits == 16 ? static_cast<float>(in[2 * i] * 256 + in[2 * i + 1]) / 65535.0f
-                          : static_cast<float>(in[i]) / 255.0f;
-  }
-  return image;
+Result<ReadImage> parse_png(const ImageFile& file) {
+  return PngReader().read(file);
 }
 
 }  // namespace zraka

@@ -4,19 +4,9 @@
 #include <bit>
 #include <limits>
 
-#define ZRAKA_ISA isa_plain
-#include "math/power.hpp"
+#include "image/transfer.hpp"
 
 namespace zraka {
-namespace {
-
-/// The sRGB curve of IEC 61966-2-1 by our own power, so that files are equal on every system.
-double encode_srgb(double linear) {
-  if (linear <= 0.0031308) return 12.92 * linear;
-  return 1.055 * isa_plain::power(linear, 1 / 2.4) - 0.055;
-}
-
-}  // namespace
 
 std::uint16_t quantize(float value, Transfer transfer, int bits) {
   if (!(value > 0)) return 0;

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// The list of picture formats, and how a file finds its own.
+#include <fmt/format.h>
+
+#include <array>
+#include <zraka/image.hpp>
+
+#include "core/file.hpp"
+#include "image/readers.hpp"
+
+namespace zraka {
+namespace {
+
+struct ImageFormat {
+  std::string_view start;  ///< the file's first bytes
+  Result<ReadImage> (*parse)(const ImageFile& file);
+};
+
+constexpr std::array kImageFormats = {
+    ImageFormat{"\x89PNG\r\n\x1a\n", parse_png},
+    ImageFormat{"\xFF\xD8\xFF", parse_jpeg},
+    ImageFormat{"P2", parse_pnm},
+    ImageFormat{"P3", parse_pnm},
+    ImageFormat{"P5", parse_pnm},
+    ImageFormat{"P6", parse_pnm},
+    ImageFormat{"PF", parse_pfm},
+    ImageFormat{"Pf", parse_pfm},
+    ImageFormat{"\x76\x2F\x31\x01", parse_exr},
+};
+
+/// Pictures that people have and we cannot read, so that the answer is more than "unknown".
+struct OtherFormat {
+  std::string_view start, name;
+};
+constexpr std::array kOtherFormats = {
+    OtherFormat{"BM", "a BMP"},
+    OtherFormat{"GIF8", "a GIF"},
+    OtherFormat{"RIFF", "a WebP"},
+    OtherFormat{"II*", "a TIFF"},
+    OtherFormat{{"MM\0*", 4}, "a TIFF"},
+    OtherFormat{"%PDF", "a PDF"},
+    OtherFormat{"PK\x03\x04", "a zip archive"},
+    OtherFormat{"#?RADIANCE", "a Radiance HDR picture"},
+    OtherFormat{"P1", "a PBM"},
+    OtherFormat{"P4", "a PBM"},
+    OtherFormat{"P7", "a PAM"},
+};
+
+constexpr const char* kReadable = "PNG, JPEG, PPM, PGM, PFM and OpenEXR can be read";
+
+}  // namespace
+
+Result<void> ImageFile::check_size(std::uint64_t width, std::uint64_t height) const {
+  if (width == 0 || height == 0)
+    return failure(name, fmt::format("has no pixels: {}×{}", width, height));
+  // Each side first, so that their product cannot run over.
+  if (width > max_pixels || height > max_pixels || width * height > max_pixels)
+    return failure(name, fmt::format("is too large: {}×{} pixels, where at most {} in all are read",
+                                     width, height, max_pixels));
+  return {};
+}
+
+Result<ReadImage> parse_image(std::string_view bytes, const std::string& name,
+                              std::uint64_t max_pixels) {
+  if (bytes.empty()) return failure(name, "the file is empty");
+  for (const ImageFormat& format : kImageFormats)
+    if (bytes.starts_with(format.start)) return format.parse({bytes, name, max_pixels});
+  for (const OtherFormat& other : kOtherFormats)
+    if (bytes.starts_with(other.start))
+      return failure(name, fmt::format("is {}, which cannot be read here", other.name),
+                     fmt::format("save it as PNG; {}", kReadable));
+  return failure(name, "is no picture of a known kind", kReadable);
+}
+
+Result<ReadImage> read_image(const std::string& path, std::uint64_t max_pixels) {
+  // The wordiest file that makes sense: a text PPM of three numbers of five digits a pixel.
+  const std::uint64_t most_bytes = (std::uint64_t{1} << 24) + 24 * max_pixels;
+  const Result<std::string> bytes = read_file(path, most_bytes);
+  if (!bytes) return tl::make_unexpected(bytes.error());
+  return parse_image(*bytes, path == "-" ? "standard input" : path, max_pixels);
+}
+
+}  // namespace zraka
