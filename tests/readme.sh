@@ -12,7 +12,10 @@ lines=$(sed -n 's/^    \.\/run \([a-z][^#]*\).*/\1/p' README.md)
 cd "$folder" || exit 1
 while read -r line; do
   # shellcheck disable=SC2086
-  "$zraka" $line >words 2>&1 </dev/null || { echo "FAILED: zraka $line"; cat words; exit 1; }
+  "$zraka" $line >words 2>&1 </dev/null
+  code=$?
+  # 1 is what compare says of pictures that differ.
+  [ $code = 0 ] || [[ $code = 1 && $line = compare* ]] || { echo "FAILED: zraka $line"; cat words; exit 1; }
 done <<<"$lines"
 sed -i 's|radius => 0.95:|radius => o.5:|' input.txt
 "$zraka" info input.txt >words 2>&1

@@ -7,7 +7,7 @@
 
 namespace zraka::app {
 
-/// What the program ends with.
+/// What the program ends with; compare has codes of its own.
 enum ExitCode { kDone = 0, kFailed = 1, kWrongUsage = 2, kInterrupted = 130 };
 
 /// Adds its subcommand to the program, and gives back what it does once the words are read.
@@ -18,7 +18,9 @@ CLI::App* add_render(CLI::App& program, Command& command);
 CLI::App* add_stages(CLI::App& program, Command& command);
 CLI::App* add_generate(CLI::App& program, Command& command);
 CLI::App* add_info(CLI::App& program, Command& command);
+CLI::App* add_compare(CLI::App& program, Command& command);
 
-inline constexpr AddCommand kCommands[] = {add_render, add_stages, add_generate, add_info};
+inline constexpr AddCommand kCommands[] = {add_render, add_stages, add_generate, add_info,
+                                           add_compare};
 
 }  // namespace zraka::app

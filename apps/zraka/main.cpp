@@ -2,6 +2,7 @@
 // zraka: reads the words, runs a command, ends with its exit code.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <new>
 #include <string>
@@ -31,8 +32,9 @@ int run(int argc, char** argv) {
       "  zraka render scenes/lab/input.txt -o picture.png\n"
       "  zraka stages scenes/lab/input.txt -o pictures\n"
       "  zraka generate letter Č -o letter.txt\n"
+      "  zraka compare mine.png picture.png\n"
       "Every command has a --help of its own. Exit codes: 0 done, 1 bad input or failed output,\n"
-      "2 wrong usage, 130 interrupted.");
+      "2 wrong usage, 130 interrupted; those of compare are diff's.");
   Command command;
   std::string names;
   bool known = argc < 2 || argv[1][0] == '-';
@@ -66,7 +68,7 @@ int run(int argc, char** argv) {
   Diagnostic problem;
   problem.file = "standard output";
   problem.message = "cannot be written";
-  return fail({problem});
+  return std::max(code, fail({problem}));
 }
 
 }  // namespace

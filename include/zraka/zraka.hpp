@@ -2,6 +2,7 @@
 // The whole public API.
 #pragma once
 
+#include <zraka/compare.hpp>
 #include <zraka/diagnostic.hpp>
 #include <zraka/explain.hpp>
 #include <zraka/formats.hpp>

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+// zraka compare: how far two pictures are apart, and where.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <new>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "compare/words.hpp"
+#include "core/file.hpp"
+#include "render_options.hpp"
+#include "terminal.hpp"
+#include "zraka/zraka.hpp"
+
+namespace zraka::app {
+namespace {
+
+/// What diff and cmp end with, so that a script can tell pictures that differ from pictures that
+/// nobody has compared.
+enum CompareCode { kWithin = 0, kDiffer = 1, kTrouble = 2 };
+
+/// Both pictures, what is compared of them and the filters' rows are in memory at once: 8K fits.
+constexpr std::uint64_t kMostPixels = kMaxPixels / 4;
+
+struct Words {
+  std::string a, b;
+  CompareOptions options;
+  std::string format = "text", transfer = "srgb";
+  std::string heat, heat_of = "difference", html;
+  bool quiet = false;
+};
+
+int trouble(const Diagnostics& problems) {
+  show(problems);
+  return kTrouble;
+}
+
+std::string shown_name(const std::string& path) {
+  return path == "-" ? "standard input" : path;
+}
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const ReadImage& read, const std::string& name) {
+  return {{"file", name},
+          {"format", read.format},
+          {"width", read.image.width},
+          {"height", read.image.height},
+          {"bits", read.bits},
+          {"floats", read.floats},
+          {"transparent", read.alpha}};
+}
+
+Json json_of(const std::vector<PixelPair>& pairs, const Comparison& c) {
+  Json list = Json::array();
+  const auto values = [&](const std::array<float, 3>& pixel) {
+    Json json = Json::array();
+    for (const float v : pixel) {
+      if (c.floats)
+        json.push_back(v);
+      else
+        json.push_back(quantize(v, Transfer::linear, c.bits));
+    }
+    return json;
+  };
+  for (const PixelPair& pair : pairs)
+    list.push_back({{"x", pair.x},
+                    {"y", pair.y},
+                    {"a", values(pair.a)},
+                    {"b", values(pair.b)},
+                    {"difference", steps_of(pair.difference)}});
+  return list;
+}
+
+void print(const Json& json) {
+  // Names of files may be anything; what is no UTF-8 is replaced.
+  std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
+void print_json(const Comparison& c, const Words& words) {
+  const Errors& e = c.errors;
+  Json json = {{"within", c.within},
+               {"equal", e.largest == 0},
+               {"same_size", true},
+               {"a", json_of(c.a, shown_name(words.a))},
+               {"b", json_of(c.b, shown_name(words.b))},
+               {"compared", {{"bits", c.bits}, {"floats", c.floats}}},
+               {"unit", "1/255"},
+               {"tolerance", c.options.tolerance},
+               {"allow", c.options.allow},
+               {"over", {{"pixels", e.over}, {"share", e.share()}, {"box", nullptr}}},
+               {"largest", steps_of(e.largest)},
+               {"mean", 255 * e.mean},
+               {"rmse", 255 * e.root_mean_square()},
+               {"psnr_db", nullptr},
+               {"ssim", nullptr},
+               {"flip", {{"mean", c.flip.mean}, {"largest", c.flip.largest}}},
+               {"first", json_of(c.first, c)},
+               {"worst", json_of(c.worst, c)}};
+  if (e.over > 0)
+    json["over"]["box"] = {
+        {"left", e.box.left}, {"top", e.box.top}, {"right", e.box.right}, {"bottom", e.box.bottom}};
+  if (e.mean_square > 0) json["psnr_db"] = e.peak_signal_to_noise();
+  if (c.similarity) json["ssim"] = *c.similarity;
+  print(json);
+}
+
+void print_text(const Comparison& c, const Words& words) {
+  fmt::print("{}\n", verdict_on(c));
+  const auto print_lines = [](const Lines& lines) {
+    for (const auto& [label, value] : lines) fmt::print("  {:<9} {}\n", label, value);
+  };
+  print_lines(measure_lines(c, shown_name(words.a), shown_name(words.b)));
+  print_lines(pixel_lines(c));
+}
+
+int sizes_differ(const ReadImage& a, const ReadImage& b, const Words& words) {
+  if (words.quiet) return kDiffer;
+  if (words.format == "json") {
+    print({{"within", false},
+           {"equal", false},
+           {"same_size", false},
+           {"a", json_of(a, shown_name(words.a))},
+           {"b", json_of(b, shown_name(words.b))}});
+    return kDiffer;
+  }
+  fmt::print("The pictures have different sizes.\n  A         {}: {}\n  B         {}: {}\n",
+             shown_name(words.a), describe(a), shown_name(words.b), describe(b));
+  if (!words.heat.empty() || !words.html.empty())
+    fmt::print("  There is nothing to draw: no heat map and no page were written.\n");
+  return kDiffer;
+}
+
+Result<void> write_heat(const Comparison& c, const Words& words) {
+  const std::uint32_t width = c.a.image.width, height = c.a.image.height;
+  if (words.heat_of == "flip")
+    return write_png(heat_picture(c.flip.map, width, height), words.heat);
+  const std::vector<float> map = difference_map(c.a.image, c.b.image);
+  return write_png(heat_picture(map, width, height, brightest_difference(map)), words.heat);
+}
+
+/// A page is handed on, so it names files without their folders, unless only these differ.
+Result<void> write_page(const Comparison& c, const Words& words) {
+  std::string a = std::filesystem::path(shown_name(words.a)).filename().string();
+  std::string b = std::filesystem::path(shown_name(words.b)).filename().string();
+  if (a == b) a = shown_name(words.a), b = shown_name(words.b);
+  const Result<std::string> page = comparison_page(c, a, b);
+  if (!page) return tl::make_unexpected(page.error());
+  return write_text_file(words.html, *page);
+}
+
+void warn_of_curve(const Comparison& c, const Words& words) {
+  Diagnostic note;
+  note.severity = Severity::warning;
+  note.file = shown_name(c.a.floats ? words.b : words.a);
+  note.message = fmt::format(
+      "agrees much better (RMSE {:.4g} of 255) if it was written {} the sRGB "
+      "curve",
+      255 * *c.better_by_other_transfer, words.transfer == "srgb" ? "without" : "with");
+  note.hint =
+      fmt::format("compare with --transfer {}", words.transfer == "srgb" ? "linear" : "srgb");
+  show({note});
+}
+
+int run(Words words) {
+  words.options.transfer = words.transfer == "srgb" ? Transfer::srgb : Transfer::linear;
+  Result<ReadImage> a = read_image(words.a, kMostPixels);
+  Result<ReadImage> b = read_image(words.b, kMostPixels);
+  if (!a) show(a.error());
+  if (!b) show(b.error());
+  if (!a || !b) return kTrouble;
+  if (a->image.width != b->image.width || a->image.height != b->image.height)
+    return sizes_differ(*a, *b, words);
+  words.options.perception = !words.quiet || !words.html.empty() || words.heat_of == "flip";
+  const Result<Comparison> c = compare(std::move(*a), std::move(*b), words.options);
+  if (!c) return trouble(c.error());
+  if (!words.heat.empty())
+    if (const Result<void> written = write_heat(*c, words); !written)
+      return trouble(written.error());
+  if (!words.html.empty())
+    if (const Result<void> written = write_page(*c, words); !written)
+      return trouble(written.error());
+  if (!words.quiet && c->better_by_other_transfer) warn_of_curve(*c, words);
+  if (!words.quiet && words.format == "json") print_json(*c, words);
+  if (!words.quiet && words.format == "text") print_text(*c, words);
+  return c->within ? kWithin : kDiffer;
+}
+
+/// run(), with the exit codes of this command also where memory or the output's disk ends.
+int run_to_code(const Words& words) {
+  if (words.a == "-" && words.b == "-") {
+    fmt::print(stderr, "Only one of the pictures can be standard input.\n");
+    return kWrongUsage;
+  }
+  try {
+    const int code = run(words);
+    return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 ? code : +kTrouble;
+  } catch (const std::bad_alloc&) {
+    Diagnostic problem;
+    problem.message = "there is not enough memory for this";
+    return trouble({problem});
+  }
+}
+
+}  // namespace
+
+CLI::App* add_compare(CLI::App& program, Command& command) {
+  auto words = std::make_shared<Words>();
+  CLI::App* app =
+      program.add_subcommand("compare", "say how far two pictures are apart, and where");
+  app->add_option("A", words->a,
+                  "a picture: PNG, JPEG, PPM, PGM, PFM or OpenEXR; - reads standard input")
+      ->required();
+  app->add_option("B", words->b, "the picture to compare with it")->required();
+  app->add_option("--tolerance", words->options.tolerance,
+                  "what a channel may differ by, in steps of 1/255 (default 0)")
+      ->check(CLI::Range(0.0, 255.0));
+  app->add_option("--allow", words->options.allow,
+                  "the share of the pixels that may differ by more, 0 to 1 (default 0)")
+      ->check(CLI::Range(0.0, 1.0));
+  app->add_option("--format", words->format, "text (default) or json")
+      ->check(CLI::IsMember({"text", "json"}));
+  app->add_option("--heat", words->heat,
+                  "a PNG to draw the differences in, black to white by violet and red");
+  app->add_option("--heat-of", words->heat_of,
+                  "what --heat draws: difference (default), the brightest being the largest; or "
+                  "flip")
+      ->check(CLI::IsMember({"difference", "flip"}));
+  app->add_option("--html", words->html,
+                  "a page to write, with slider, blinking, heat maps and a loupe; all in one file");
+  app->add_option("--transfer", words->transfer,
+                  "how light became integers, where floats meet integers: srgb (default) or\n"
+                  "linear, as the lab profile stores it")
+      ->check(CLI::IsMember({"srgb", "linear"}));
+  app->add_option("--places", words->options.places,
+                  "how many of the first and of the worst pixels to name (default 5)")
+      ->check(CLI::Range(0, 1000));
+  app->add_flag("-q,--quiet", words->quiet, "print nothing; the exit code tells");
+  app->footer(
+      "Examples:\n"
+      "  zraka compare mine.png reference.png\n"
+      "  zraka compare mine.png reference.png --tolerance 2 --allow 0.001 --quiet\n"
+      "  zraka compare mine.png reference.jpg --html compare.html --heat heat.png\n"
+      "  zraka compare lab.png lab.exr --transfer linear --format json | jq .flip.mean\n"
+      "Exit codes, as diff has them: 0 equal or within the tolerance, 1 the pictures differ, also "
+      "in\n"
+      "size, 2 trouble: wrong usage, a picture that cannot be read, a file that cannot be "
+      "written.");
+  app->callback([&command, words] { command = [words] { return run_to_code(*words); }; });
+  return app;
+}
+
+}  // namespace zraka::app
