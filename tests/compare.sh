@@ -51,6 +51,10 @@ expect 2 "--tolerance" "$zraka" compare "$folder/a.png" "$folder/b.png" --tolera
 expect 2 "--allow" "$zraka" compare "$folder/a.png" "$folder/b.png" --allow 2
 expect 2 "--format" "$zraka" compare "$folder/a.png" "$folder/b.png" --format xml
 expect 2 "Only one of the pictures can be standard input." "$zraka" compare - -
+expect 2 "Only one output can be standard output." "$zraka" compare "$folder/a.png" "$folder/b.png" --heat - --html -
+expect 2 "a.png is one of the pictures" "$zraka" compare "$folder/a.png" "$folder/b.png" --heat "$folder/a.png"
+expect 2 "b.png is one of the pictures" "$zraka" compare "$folder/a.png" "$folder/b.png" --html "$folder/b.png"
+expect 2 "'heat.jpg' is not the name of a PNG" "$zraka" compare "$folder/a.png" "$folder/b.png" --heat heat.jpg
 expect 2 "does its folder exist?" "$zraka" compare "$folder/a.png" "$folder/b.png" --heat "$folder/no/heat.png"
 expect 2 "does its folder exist?" "$zraka" compare "$folder/a.png" "$folder/b.png" --html "$folder/no/page.html"
 expect 2 "standard output: error: cannot be written" bash -c "'$zraka' compare '$folder/a.png' '$folder/b.png' >/dev/full"
@@ -87,7 +91,7 @@ expect 0 "The pictures are equal." "$zraka" compare "$folder/heat.png" "$folder/
 grep -qF "60 × 60 pixels, PNG" "$folder/words" || fail "the heat map's size"
 "$zraka" compare "$folder/a.png" "$folder/b.png" -q --heat "$folder/flip.png" --heat-of flip
 expect 1 "differ" "$zraka" compare "$folder/heat.png" "$folder/flip.png"
-"$zraka" compare "$folder/a.png" "$folder/b.png" -q --html "$folder/again.html"
+"$zraka" compare "$folder/a.png" "$folder/b.png" --html - >"$folder/again.html"
 cmp -s "$folder/page.html" "$folder/again.html" || fail "the page differs from one run to the next"
 grep -q "</html>" "$folder/page.html" || fail "the page has no end"
 grep -qE 'https?:|src="[^d]|url\(|@import' "$folder/page.html" && fail "the page wants something from outside"
@@ -105,6 +109,8 @@ if [ -n "$browser" ]; then
     done
     grep -i 'CONSOLE' "$folder/log" && fail "the page as $view writes to the console"
   done
+else
+  echo "no browser: the page has not been opened"
 fi
 
 [ $failed = 0 ] && echo "all well"

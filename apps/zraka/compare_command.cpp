@@ -189,12 +189,27 @@ int run(Words words) {
   return c->within ? kWithin : kDiffer;
 }
 
+/// Nothing where the outputs have names of their own, else what is wrong.
+std::string problem_of_names(const Words& words) {
+  if (words.a == "-" && words.b == "-") return "Only one of the pictures can be standard input.";
+  if (words.heat == "-" && words.html == "-") return "Only one output can be standard output.";
+  for (const std::string& output : {words.heat, words.html})
+    for (const std::string& input : {words.a, words.b}) {
+      std::error_code ignored;
+      if (!output.empty() && std::filesystem::equivalent(input, output, ignored))
+        return fmt::format("{} is one of the pictures: what is written needs another name.",
+                           output);
+    }
+  return "";
+}
+
 /// run(), with the exit codes of this command also where memory or the output's disk ends.
-int run_to_code(const Words& words) {
-  if (words.a == "-" && words.b == "-") {
-    fmt::print(stderr, "Only one of the pictures can be standard input.\n");
+int run_to_code(Words words) {
+  if (const std::string problem = problem_of_names(words); !problem.empty()) {
+    fmt::print(stderr, "{}\n", problem);
     return kWrongUsage;
   }
+  if (words.heat == "-" || words.html == "-") words.quiet = true;
   try {
     const int code = run(words);
     return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 ? code : +kTrouble;
@@ -223,14 +238,18 @@ CLI::App* add_compare(CLI::App& program, Command& command) {
       ->check(CLI::Range(0.0, 1.0));
   app->add_option("--format", words->format, "text (default) or json")
       ->check(CLI::IsMember({"text", "json"}));
-  app->add_option("--heat", words->heat,
-                  "a PNG to draw the differences in, black to white by violet and red");
+  app->add_option(
+         "--heat", words->heat,
+         "a PNG to draw the differences in, black to white by violet and red; - is standard output")
+      ->check(name_of_png());
   app->add_option("--heat-of", words->heat_of,
                   "what --heat draws: difference (default), the brightest being the largest; or "
                   "flip")
       ->check(CLI::IsMember({"difference", "flip"}));
-  app->add_option("--html", words->html,
-                  "a page to write, with slider, blinking, heat maps and a loupe; all in one file");
+  app->add_option(
+      "--html", words->html,
+      "a page to write, with slider, blinking, heat maps and a loupe; all in one file;\n"
+      "- is standard output");
   app->add_option("--transfer", words->transfer,
                   "how light became integers, where floats meet integers: srgb (default) or\n"
                   "linear, as the lab profile stores it")

@@ -2,7 +2,6 @@
 // zraka render: a scene to a picture.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -24,17 +23,6 @@ struct Words : RenderWords {
   int bits = 8;
   std::string stats;  // "", "text" or "json"
 };
-
-/// Whoever asks for a.jpg would be surprised by a PNG in it.
-bool is_no_other_picture(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  for (const char* other :
-       {".jpg", ".jpeg", ".ppm", ".exr", ".bmp", ".tga", ".gif", ".tif", ".tiff", ".hdr", ".webp"})
-    if (std::equal(extension.begin(), extension.end(), other, other + std::strlen(other),
-                   [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; }))
-      return false;
-  return true;
-}
 
 struct Seconds {
   double load = 0, write = 0;
@@ -122,8 +110,7 @@ CLI::App* add_render(CLI::App& program, Command& command) {
   words->add_to(*app);
   app->add_option("-o,--output", words->output, "the PNG to write; - is standard output")
       ->required()
-      ->check(one_of("the name of a PNG, the one kind of picture that is written",
-                     is_no_other_picture));
+      ->check(name_of_png());
   app->add_option("--stage", words->stage,
                   "up to which stage of the lab: 1…7, or silhouette, ambient, diffuse, specular,\n"
                   "shadows, reflection, refraction (default: all)")

@@ -5,10 +5,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
 
 #include "terminal.hpp"
 
 namespace zraka::app {
+namespace {
+
+bool is_no_other_picture(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  for (const char* other :
+       {".jpg", ".jpeg", ".ppm", ".exr", ".bmp", ".tga", ".gif", ".tif", ".tiff", ".hdr", ".webp"})
+    if (std::equal(extension.begin(), extension.end(), other, other + std::strlen(other),
+                   [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; }))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+CLI::Validator name_of_png() {
+  return one_of("the name of a PNG, the one kind of picture that is written", is_no_other_picture);
+}
 
 CLI::Validator one_of(std::string what, bool (*accepts)(const std::string&)) {
   return CLI::Validator(

@@ -30,6 +30,10 @@ struct RenderWords {
 /// Checks a word against the names of stages: 1…7 or a name.
 std::optional<Stage> stage_named(const std::string& word);
 
+/// A CLI11 check of the name of a PNG to write: whoever asks for a.jpg would be surprised by a PNG
+/// in it.
+CLI::Validator name_of_png();
+
 /// A CLI11 check that shows what a word has to be.
 CLI::Validator one_of(std::string what, bool (*accepts)(const std::string&));
 

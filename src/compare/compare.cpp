@@ -41,18 +41,16 @@ Result<Comparison> compare(ReadImage a, ReadImage b, const CompareOptions& optio
     c.bits = std::max(a.bits, b.bits);
   } else {
     c.bits = a.floats ? b.bits : b.floats ? a.bits : std::min(a.bits, b.bits);
-    Image on_a = on_steps(a, options.transfer, c.bits),
-          on_b = on_steps(b, options.transfer, c.bits);
+    const Image light = a.floats != b.floats ? (a.floats ? a : b).image : Image();
+    a.image = on_steps(a, options.transfer, c.bits);
+    b.image = on_steps(b, options.transfer, c.bits);
     if (a.floats != b.floats) {
-      const ReadImage& with_light = a.floats ? a : b;
-      const double now = measure_errors(on_a, on_b).root_mean_square();
-      const double then = measure_errors(on_steps(with_light, other(options.transfer), c.bits),
-                                         a.floats ? on_b : on_a)
+      const double now = measure_errors(a.image, b.image).root_mean_square();
+      const double then = measure_errors(as_stored(light, other(options.transfer), c.bits),
+                                         (a.floats ? b : a).image)
                               .root_mean_square();
       if (then < now / 2) c.better_by_other_transfer = then;
     }
-    a.image = std::move(on_a);
-    b.image = std::move(on_b);
   }
   c.a = std::move(a);
   c.b = std::move(b);

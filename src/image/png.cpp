@@ -87,9 +87,9 @@ struct Header {
 bool read_header(png_structp png, png_infop info, Source* source, Header& header) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng's way
   png_set_read_fn(png, source, read_bytes);
-  // The caller judges the size; text, profiles and the like are not kept.
+  // The caller judges the size; text, profiles and the like are passed over, whatever their size.
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-  png_set_chunk_malloc_max(png, 1 << 20);
+  png_set_chunk_malloc_max(png, 0);
   png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
   png_read_info(png, info);
   header = {png_get_image_width(png, info), png_get_image_height(png, info),
