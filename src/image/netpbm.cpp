@@ -140,24 +140,26 @@ Result<ReadImage> parse_pnm(const ImageFile& file) {
   read.bits = *most < 256 ? 8 : 16;
   read.image = Image(size->width, size->height);
   const auto largest = static_cast<float>(*most);
-  for (std::uint64_t i = 0; i < values; ++i) {
-    std::uint32_t value = 0;
-    if (text) {
-      const Result<std::uint32_t> word = words.whole(*most, "a value of a pixel");
-      if (!word) return tl::make_unexpected(word.error());
-      value = *word;
-    } else {
-      for (std::uint64_t b = 0; b < bytes_each; ++b)
-        value = value * 256 + static_cast<unsigned char>(stored[i * bytes_each + b]);
-      if (value > *most) return too_bright(file, i / channels, size->width, value, *most);
+  const char* at = stored.data();
+  float* out = read.image.pixels.data();
+  for (std::uint64_t i = 0; i < size->pixels(); ++i, out += 3)
+    for (std::uint64_t c = 0; c < 3; ++c) {
+      if (c >= channels) {
+        out[c] = out[0];
+        continue;
+      }
+      std::uint32_t value = 0;
+      if (text) {
+        const Result<std::uint32_t> word = words.whole(*most, "a value of a pixel");
+        if (!word) return tl::make_unexpected(word.error());
+        value = *word;
+      } else {
+        value = static_cast<unsigned char>(*at++);
+        if (bytes_each == 2) value = value << 8 | static_cast<unsigned char>(*at++);
+        if (value > *most) return too_bright(file, i, size->width, value, *most);
+      }
+      out[c] = static_cast<float>(value) / largest;
     }
-    const float v = static_cast<float>(value) / largest;
-    float* pixel = read.image.pixels.data() + 3 * (i / channels);
-    if (channels == 3)
-      pixel[i % 3] = v;
-    else
-      pixel[0] = pixel[1] = pixel[2] = v;
-  }
   return read;
 }
 
