@@ -100,10 +100,13 @@ Result<Scene> RenderWords::load() const {
   return std::move(loaded);
 }
 
+ProfileName RenderWords::profile_name(const Scene& loaded) const {
+  return profile_named(profile).value_or(loaded.default_profile);
+}
+
 RenderOptions RenderWords::options(const Scene& loaded) const {
   RenderOptions options;
-  const ProfileName name = profile_named(profile).value_or(loaded.default_profile);
-  options.profile = profile_of(name);
+  options.profile = profile_of(profile_name(loaded));
   options.max_depth = max_depth;
   options.threads = threads;
   options.tile = tile;

@@ -23,6 +23,8 @@ struct RenderWords {
 
   /// The scene with the size that was asked for; its warnings have been shown.
   Result<Scene> load() const;
+  /// The profile asked for, or the scene's.
+  ProfileName profile_name(const Scene& scene) const;
   /// All but terms and progress.
   RenderOptions options(const Scene& scene) const;
 };

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 #include <zraka/render.hpp>
 
 #include "commands.hpp"
@@ -26,20 +27,26 @@ void on_interrupt(int) {
   ::_exit(kInterrupted);
 }
 
-bool in_colour() {
+bool in_colour(int descriptor) {
   const char* no_color = std::getenv("NO_COLOR");
-  return ::isatty(STDERR_FILENO) == 1 && (no_color == nullptr || *no_color == '\0');
+  const char* terminal = std::getenv("TERM");
+  return ::isatty(descriptor) == 1 && (no_color == nullptr || *no_color == '\0') &&
+         terminal != nullptr && std::string_view(terminal) != "dumb";
 }
 
 }  // namespace
 
+bool output_in_color() {
+  return in_colour(STDOUT_FILENO);
+}
+
 void catch_interrupts() {
   ::signal(SIGXFSZ, SIG_IGN);  // a limit on files' sizes is a failed write like any other
-  struct sigaction action {};
+  struct sigaction action{};
   action.sa_handler = on_interrupt;
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
-    struct sigaction old {};
+    struct sigaction old{};
     // Who started us by nohup wants us to outlive the terminal.
     if (signal == SIGHUP && ::sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_IGN)
       continue;
@@ -48,7 +55,7 @@ void catch_interrupts() {
 }
 
 void show(const Diagnostics& diagnostics) {
-  const bool colour = in_colour();
+  const bool colour = in_colour(STDERR_FILENO);
   for (const Diagnostic& d : diagnostics) {
     std::string text = to_string(d);
     if (colour) {

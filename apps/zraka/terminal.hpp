@@ -7,6 +7,9 @@
 
 namespace zraka::app {
 
+/// May standard output have colours? It is a terminal that can, and NO_COLOR is not set.
+bool output_in_color();
+
 /// From here on Ctrl-C and a polite kill end the program at once with exit code 130, and no half
 /// file stays.
 void catch_interrupts();

@@ -32,8 +32,11 @@ struct Terms {
   bool shadows = true;
   bool reflection = true;
   bool refraction = true;
+  friend bool operator==(const Terms&, const Terms&) = default;
 };
 Terms terms_of(Stage stage);
+/// The stage that has just these terms.
+std::optional<Stage> stage_of(const Terms& terms);
 
 /// What the profiles differ in; profile_of() holds the only table.
 struct Profile {

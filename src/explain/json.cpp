@@ -127,20 +127,25 @@ Json tree_json(const Explanation& e) {
 void print(const Json& json, std::size_t indent, std::string& out) {
   const bool nested = std::any_of(json.begin(), json.end(),
                                   [](const Json& member) { return member.is_structured(); });
-  if (!json.is_object() && !nested) {
+  if (!json.is_structured()) {
     // Names come from files, which may hold anything.
     out += json.dump(-1, ' ', false, Json::error_handler_t::replace);
     return;
   }
+  const bool one_line = json.is_array() && !nested;
   const char* separator = "";
   out += json.is_object() ? '{' : '[';
   for (const auto& [key, member] : json.items()) {
-    fmt::format_to(std::back_inserter(out), "{}\n{:{}}", separator, "", indent + 1);
+    if (one_line)
+      out += *separator == ',' ? ", " : "";
+    else
+      fmt::format_to(std::back_inserter(out), "{}\n{:{}}", separator, "", indent + 1);
     if (json.is_object()) out += Json(key).dump() + ": ";
     print(member, indent + 1, out);
     separator = ",";
   }
-  fmt::format_to(std::back_inserter(out), "\n{:{}}{}", "", indent, json.is_object() ? '}' : ']');
+  if (!one_line) fmt::format_to(std::back_inserter(out), "\n{:{}}", "", indent);
+  out += json.is_object() ? '}' : ']';
 }
 
 }  // namespace

@@ -2,23 +2,25 @@
 // What shapes are called.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <string>
-#include <zraka/scene.hpp>
+#include <zraka/explain.hpp>
 
-#include "shapes/shapes.hpp"
+#include "core/words.hpp"
 
 namespace zraka {
 
 /// "sphere 3": as diagnostics call it, counted from 1.
-inline std::string plain_name(const ShapeId& id) {
-  constexpr const char* kNames[] = {
-#define ZRAKA_NAME(Type, plural) ShapeTraits<Type>::kName,
-      ZRAKA_SHAPES(ZRAKA_NAME)
-#undef ZRAKA_NAME
-  };
-  return fmt::format("{} {}", kNames[id.kind], std::uint64_t{id.index} + 1);
+std::string plain_name(const ShapeId& id);
+
+/// What a sentence asks of a noun; English has one form for all.
+enum class Case { nominative, accusative, genitive, locative };
+
+/// "sphere 3 'green'", "kuglu 3 'green'".
+std::string label_of(Language language, const NamedShape& shape, Case form = Case::nominative);
+
+/// Lights are counted from 1.
+inline std::size_t light_number(std::size_t index) {
+  return index + 1;
 }
 
 }  // namespace zraka

@@ -14,6 +14,12 @@ Terms terms_of(Stage stage) {
           .refraction = stage >= Stage::refraction};
 }
 
+std::optional<Stage> stage_of(const Terms& terms) {
+  for (std::size_t i = 0; i < kStageNames.size(); ++i)
+    if (const auto stage = static_cast<Stage>(i + 1); terms == terms_of(stage)) return stage;
+  return std::nullopt;
+}
+
 Profile profile_of(ProfileName name) {
   switch (name) {
     case ProfileName::lab:

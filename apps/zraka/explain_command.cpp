@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// zraka explain: why a pixel has its colour.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+#include <limits>
+
+#include "commands.hpp"
+#include "core/text.hpp"
+#include "core/words.hpp"
+#include "explain/json.hpp"
+#include "explain/sentence.hpp"
+#include "explain/text.hpp"
+#include "render_options.hpp"
+#include "terminal.hpp"
+
+namespace zraka::app {
+namespace {
+
+struct Words : RenderWords {
+  std::string x, y;
+  std::string output = "-";
+  std::string format;  // "": by the output's name
+  std::string language = "en";
+  std::string stage = "refraction";
+};
+
+/// A column or a row: a whole number. What is too large for any picture is the largest that fits.
+std::optional<std::uint32_t> coordinate(const std::string& word) {
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (end != word.data() + word.size() || error == std::errc::invalid_argument) return std::nullopt;
+  return error == std::errc() ? value : std::numeric_limits<std::uint32_t>::max();
+}
+
+/// The format asked for; else the one that the output's name asks for; else text.
+std::string format_of(const Words& words) {
+  if (!words.format.empty()) return words.format;
+  const std::string extension = std::filesystem::path(words.output).extension().string();
+  return extension == ".json" ? "json" : extension == ".html" ? "html" : "text";
+}
+
+int run(const Words& words) {
+  const Result<Scene> scene = words.load();
+  if (!scene) return fail(scene.error());
+  RenderOptions options = words.options(*scene);
+  options.terms = terms_of(*stage_named(words.stage));
+  const Result<Explanation> explanation =
+      explain(*scene, options, *coordinate(words.x), *coordinate(words.y));
+  if (!explanation) return fail(explanation.error());
+
+  const Language language = *language_named(words.language);
+  const ProfileName profile = words.profile_name(*scene);
+  std::string text;
+  if (format_of(words) == "json")
+    text = to_json(*explanation, words.scene, std::string(name_of(profile)),
+                   in_words(language, *explanation));
+  else
+    text = to_text(*explanation, {.language = language,
+                                  .color = words.output == "-" && output_in_color(),
+                                  .scene = words.scene,
+                                  .profile = profile});
+  const Result<void> written = write_text_file(words.output, text);
+  return written ? +kDone : fail(written.error());
+}
+
+}  // namespace
+
+CLI::App* add_explain(CLI::App& program, Command& command) {
+  auto words = std::make_shared<Words>();
+  CLI::App* app = program.add_subcommand(
+      "explain", "say why a pixel has its colour: its ray tree with every term");
+  words->add_to(*app);
+  const CLI::Validator whole = one_of("a whole number, 0 or more", [](const std::string& word) {
+    return coordinate(word).has_value();
+  });
+  app->add_option("X", words->x, "column of the pixel, from 0 at the left")
+      ->required()
+      ->check(whole);
+  app->add_option("Y", words->y, "row of the pixel, from 0 at the top")->required()->check(whole);
+  app->add_option("-o,--output", words->output,
+                  "the file to write; - (default) is standard output");
+  app->add_option("--format", words->format,
+                  "text or json; else by the name of the output, else text")
+      ->check(CLI::IsMember({"text", "json"}));
+  app->add_option("--lang", words->language, "language of all words: en (default) or hr")
+      ->check(one_of("en or hr",
+                     [](const std::string& word) { return language_named(word).has_value(); }));
+  app->add_option("--stage", words->stage,
+                  "up to which stage of the lab, as render has it (default: all)")
+      ->check(one_of(
+          "a stage: 1…7, silhouette, ambient, diffuse, specular, shadows, reflection or refraction",
+          [](const std::string& word) { return stage_named(word).has_value(); }));
+  app->footer(
+      "Examples:\n"
+      "  zraka explain scenes/lab/input.txt 110 160\n"
+      "  zraka explain input.txt 250 300 --stage shadows --lang hr\n"
+      "  zraka explain input.txt 250 300 --format json | jq .tree.hit.lights");
+  app->callback([&command, words] { command = [words] { return run(*words); }; });
+  return app;
+}
+
+}  // namespace zraka::app

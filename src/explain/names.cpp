@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "explain/names.hpp"
+
+#include <iterator>
+
+#include "shapes/shapes.hpp"
+
+namespace zraka {
+namespace {
+
+constexpr Word kShapeWords[][4] = {
+#define ZRAKA_WORDS_OF(Type, plural)                                       \
+  {Word::shape_##Type, Word::shape_##Type##_acc, Word::shape_##Type##_gen, \
+   Word::shape_##Type##_loc},
+    ZRAKA_SHAPES(ZRAKA_WORDS_OF)
+#undef ZRAKA_WORDS_OF
+};
+
+constexpr const char* kPlainNames[] = {
+#define ZRAKA_NAME(Type, plural) ShapeTraits<Type>::kName,
+    ZRAKA_SHAPES(ZRAKA_NAME)
+#undef ZRAKA_NAME
+};
+
+}  // namespace
+
+std::string plain_name(const ShapeId& id) {
+  return fmt::format("{} {}", kPlainNames[id.kind], std::uint64_t{id.index} + 1);
+}
+
+std::string label_of(Language language, const NamedShape& shape, Case form) {
+  const Word noun = kShapeWords[shape.id.kind][static_cast<int>(form)];
+  std::string label =
+      fmt::format("{} {}", text_of(language, noun), std::uint64_t{shape.id.index} + 1);
+  if (!shape.name.empty()) label += fmt::format(" '{}'", shape.name);
+  return label;
+}
+
+}  // namespace zraka

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "explain/sentence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "explain/names.hpp"
+#include "explain/parts.hpp"
+
+namespace zraka {
+namespace {
+
+/// A child that is missing is worth a word if it would have counted this much.
+constexpr double kNotable = 0.1;
+
+/// The parts of the tree that gives most, summed up by ray and by way.
+struct Shares {
+  std::size_t tree = 0;
+  Part main;                            ///< the largest part of the ray that gives most
+  double all = 0;                       ///< sizes of the tree's parts together
+  double of_main = 0;                   ///< main's share of them
+  double of_ray = 0;                    ///< the share of all parts of main's ray
+  bool alone = false;                   ///< main is all that is not 0
+  bool ray_alone = false;               ///< main is all that is not 0 on its ray
+  double reflected = 0, refracted = 0;  ///< shares that come by children of the ray from the eye
+};
+
+/// Which child of the ray from the eye each ray hangs on; the camera's kind for that ray itself.
+std::vector<RayKind> ways_of(const RayTree& tree) {
+  std::vector<RayKind> ways(tree.rays.size(), RayKind::camera);
+  for (std::size_t r = 1; r < ways.size(); ++r) {
+    const auto parent = static_cast<std::size_t>(tree.rays[r].parent);
+    ways[r] = parent == 0 ? tree.rays[r].kind : ways[parent];
+  }
+  return ways;
+}
+
+Shares shares_of(const Explanation& e) {
+  Shares s;
+  std::vector<Part> parts = parts_of(e);
+  std::vector<double> by_tree(e.trees.size(), 0.0);
+  for (const Part& part : parts) by_tree[part.tree] += part.size();
+  s.tree =
+      static_cast<std::size_t>(std::max_element(by_tree.begin(), by_tree.end()) - by_tree.begin());
+  s.all = by_tree[s.tree];
+  std::erase_if(parts, [&](const Part& part) { return part.tree != s.tree; });
+
+  std::vector<double> by_ray(e.trees[s.tree].rays.size(), 0.0);
+  for (const Part& part : parts) by_ray[part.ray] += part.size();
+  s.main = parts.front();
+  for (const Part& part : parts)
+    if (by_ray[part.ray] > by_ray[s.main.ray] ||
+        (part.ray == s.main.ray && part.size() > s.main.size()))
+      s.main = part;
+  std::size_t there = 0, there_on_ray = 0;
+  for (const Part& part : parts) {
+    there += part.size() > 0;
+    there_on_ray += part.size() > 0 && part.ray == s.main.ray;
+  }
+  s.alone = there <= 1;
+  s.ray_alone = there_on_ray <= 1;
+  if (!(s.all > 0)) return s;
+  s.of_main = s.main.size() / s.all;
+  s.of_ray = by_ray[s.main.ray] / s.all;
+  const std::vector<RayKind> ways = ways_of(e.trees[s.tree]);
+  for (std::size_t r = 1; r < ways.size(); ++r)
+    (ways[r] == RayKind::reflected ? s.reflected : s.refracted) += by_ray[r] / s.all;
+  return s;
+}
+
+class Speaker {
+ public:
+  Speaker(Language language, const Explanation& explanation)
+      : lang_(language), e_(explanation), s_(shares_of(explanation)) {}
+
+  std::string sentences() const;
+
+ private:
+  template <class... Values>
+  std::string say(Word word, const Values&... values) const {
+    return zraka::say(lang_, word, values...);
+  }
+  std::string label(const NamedShape& shape, Case form) const {
+    return label_of(lang_, shape, form);
+  }
+  const ExplainedRay& ray(std::size_t r) const { return e_.trees[s_.tree].rays[r]; }
+  const ExplainedRay& main_ray() const { return ray(s_.main.ray); }
+
+  std::string percent(double share) const;
+  std::string why_unlit(const ExplainedHit& hit) const;
+  std::string by_the_way() const;
+  std::string of_root() const;
+  std::string of_child() const;
+  std::string rest() const;
+  std::string toned(const std::string& clause, bool is_reason) const;
+  std::string notes() const;
+
+  Language lang_;
+  const Explanation& e_;
+  Shares s_;
+};
+
+std::string Speaker::percent(double share) const {
+  if (share < 0.005) return "<1";
+  if (share >= 0.995 && share < 1) return ">99";
+  return fmt::format("{:.0f}", 100 * share);
+}
+
+/// Why no light but the ambient one reaches a hit; "" if one does.
+std::string Speaker::why_unlit(const ExplainedHit& hit) const {
+  if (!e_.terms.diffuse && !e_.terms.specular) return say(Word::say_stage_ambient);
+  if (hit.lights.empty()) return say(Word::say_no_lights);
+  for (const LightTerms& at : hit.lights)
+    if (at.reach == Reach::lit || at.reach == Reach::unchecked) return "";
+  if (hit.lights.size() > 2) return say(Word::say_unlit, hit.lights.size());
+  std::string reasons;
+  for (std::size_t i = 0; i < hit.lights.size(); ++i) {
+    const LightTerms& at = hit.lights[i];
+    const std::string reason = at.blocker ? say(Word::say_blocked, light_number(i),
+                                                label(at.blocker->shape, Case::accusative),
+                                                fmt::format("{:.3g}", at.blocker->distance))
+                                          : say(Word::say_behind, light_number(i));
+    reasons = reasons.empty() ? reason : say(Word::say_and, reasons, reason);
+  }
+  return reasons;
+}
+
+/// The rays from the eye's hit to main's ray.
+std::string Speaker::by_the_way() const {
+  constexpr std::size_t kNamed = 2;
+  std::vector<std::size_t> way;
+  for (auto r = s_.main.ray; r != 0; r = static_cast<std::size_t>(ray(r).parent))
+    way.insert(way.begin(), r);
+  std::string text;
+  for (std::size_t i = 0; i < way.size() && i < kNamed; ++i) {
+    const ExplainedRay& step = ray(way[i]);
+    const NamedShape& shape = ray(static_cast<std::size_t>(step.parent)).hit->shape;
+    const std::string name =
+        say(step.kind == RayKind::reflected ? Word::say_by_reflected : Word::say_by_refracted,
+            label(shape, Case::genitive));
+    text = i == 0 ? name : say(Word::say_then, text, name);
+  }
+  return way.size() <= kNamed ? text : say(Word::say_by_many, text, way.size() - kNamed);
+}
+
+/// What the children of the rays from the eye add.
+std::string Speaker::rest() const {
+  std::string text;
+  if (s_.reflected >= 0.005)
+    text += fmt::format(", {}", say(Word::say_by_reflected_rest, percent(s_.reflected)));
+  if (s_.refracted >= 0.005)
+    text += fmt::format(", {}", say(Word::say_by_refracted_rest, percent(s_.refracted)));
+  return text;
+}
+
+/// Where a ray from the eye gives most.
+std::string Speaker::of_root() const {
+  if (!main_ray().hit) return toned(say(Word::say_nothing_met), true);
+  const ExplainedHit& hit = *main_ray().hit;
+  const std::string whole = percent(s_.of_main);
+  switch (s_.main.source) {
+    case Source::silhouette:
+      return toned(say(Word::say_silhouette, label(hit.shape, Case::accusative)), false);
+    case Source::diffuse:
+      return toned(say(Word::say_diffuse, whole, light_number(s_.main.light),
+                       label(hit.shape, Case::locative)) +
+                       rest(),
+                   false);
+    case Source::specular:
+      return toned(say(Word::say_specular, whole, light_number(s_.main.light),
+                       label(hit.shape, Case::locative)) +
+                       rest(),
+                   false);
+    default:
+      break;
+  }
+  const std::string why = why_unlit(hit);
+  if (why.empty())
+    return toned(say(Word::say_ambient_most, whole, label(hit.shape, Case::genitive)) + rest(),
+                 false);
+  return toned(s_.alone ? say(Word::say_only_ambient, why)
+                        : say(Word::say_ambient_left, why, whole) + rest(),
+               true);
+}
+
+/// Where a reflected or refracted ray gives most.
+std::string Speaker::of_child() const {
+  const std::string share = percent(s_.of_ray);
+  if (!main_ray().hit) return toned(say(Word::say_from_background, share, by_the_way()), false);
+  const ExplainedHit& hit = *main_ray().hit;
+  const std::string from =
+      say(Word::say_from_shape, share, label(hit.shape, Case::genitive), by_the_way());
+  std::string there;
+  if (s_.main.source == Source::ambient) {
+    const std::string why = why_unlit(hit);
+    there = why.empty() || !s_.ray_alone ? say(Word::say_there_ambient)
+                                         : say(Word::say_there_only_ambient, why);
+  } else {
+    there =
+        say(s_.main.source == Source::diffuse ? Word::say_there_diffuse : Word::say_there_specular,
+            light_number(s_.main.light));
+  }
+  return toned(say(Word::say_there, from, there), false);
+}
+
+std::string Speaker::toned(const std::string& clause, bool is_reason) const {
+  constexpr int kDark = 64, kBright = 217;  // of 255
+  int most = 0;
+  for (const float c : ray(0).color)
+    most = std::max(most, static_cast<int>(quantize(c, e_.profile.transfer, 8)));
+  if (most >= kDark && most < kBright) return clause;
+  const std::string tone = say(most == 0      ? Word::tone_black
+                               : most < kDark ? Word::tone_dark
+                                              : Word::tone_bright);
+  return say(is_reason && most < kDark ? Word::tone_because : Word::tone_colon, tone, clause);
+}
+
+/// What the parts cannot show: clamped sums, and children that would have counted.
+std::string Speaker::notes() const {
+  std::string text;
+  const ExplainedRay& root = ray(0);
+  if (e_.profile.clamp_levels && root.hit) {
+    const float most = std::max({root.hit->sum[0], root.hit->sum[1], root.hit->sum[2]});
+    if (most > 1) text += fmt::format(" {}", say(Word::say_clamped, fmt::format("{:.3g}", most)));
+  }
+  struct Missing {
+    double weight = kNotable;
+    const ExplainedHit* hit = nullptr;
+    Word word{};
+    float share = 0;
+  } black, cut;
+  for (const ExplainedRay& r : e_.trees[s_.tree].rays) {
+    if (!r.hit) continue;
+    const auto look = [&](const Child& child, float share, Absence why, Word word, Missing& most) {
+      const double weight = std::fabs(r.weight * static_cast<double>(share));
+      if (child.absence == why && weight >= most.weight) most = {weight, &*r.hit, word, share};
+    };
+    if (!e_.profile.mirror_when_total)
+      look(r.hit->refracted, r.hit->k2, Absence::total, Word::say_total_black, black);
+    look(r.hit->reflected, r.hit->k1, Absence::depth, Word::say_cut_reflected, cut);
+    look(r.hit->refracted, r.hit->k2, Absence::depth, Word::say_cut_refracted, cut);
+  }
+  const auto short_share = [](float share) { return fmt::format("{:.3g}", share); };
+  if (black.hit != nullptr)
+    text += fmt::format(
+        " {}", say(black.word, short_share(black.share), label(black.hit->shape, Case::genitive)));
+  if (cut.hit != nullptr)
+    text += fmt::format(" {}", say(cut.word, e_.max_depth, label(cut.hit->shape, Case::genitive),
+                                   short_share(cut.share)));
+  return text;
+}
+
+std::string Speaker::sentences() const {
+  std::string text;
+  if (s_.all > 0 || !main_ray().hit) {
+    text = s_.main.ray == 0 ? of_root() : of_child();
+  } else {
+    const std::string why = why_unlit(*main_ray().hit);
+    const std::string zero = say(Word::say_all_zero);
+    text = toned(why.empty() ? zero : say(Word::say_and, zero, why), true);
+  }
+  text = capitalized(text);
+  if (e_.trees.size() > 1) {
+    const auto corner = static_cast<Word>(static_cast<std::size_t>(Word::corner_0) + s_.tree);
+    text = fmt::format("{}. {}", capitalized(say(Word::say_corner, say(corner))), text);
+  }
+  return fmt::format("{}.{}", text, notes());
+}
+
+}  // namespace
+
+std::string in_words(Language language, const Explanation& explanation) {
+  return Speaker(language, explanation).sentences();
+}
+
+}  // namespace zraka

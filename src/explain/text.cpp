@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "explain/text.hpp"
+
+#include "explain/angles.hpp"
+#include "explain/formulas.hpp"
+#include "explain/names.hpp"
+#include "explain/sentence.hpp"
+
+namespace zraka {
+namespace {
+
+enum class Style { plain, faint, strong, camera, reflected, refracted, shadow, result };
+
+class Writer {
+ public:
+  Writer(const Explanation& explanation, const TextOptions& options)
+      : e_(explanation), options_(options) {}
+
+  std::string write();
+
+ private:
+  template <class... Values>
+  std::string say(Word word, const Values&... values) const {
+    return zraka::say(options_.language, word, values...);
+  }
+  std::string label(const NamedShape& shape, Case form) const {
+    return label_of(options_.language, shape, form);
+  }
+  std::string in(Style style, const std::string& text) const;
+  std::string swatch(const Float3& color) const;
+
+  void line(const std::string& lead, const std::string& text) {
+    out_ += in(Style::faint, lead) + text + "\n";
+  }
+  void ray(const RayTree& tree, std::size_t r, const std::string& lead);
+  void hit(const RayTree& tree, const ExplainedRay& ray, const std::string& lead);
+  void light(const ExplainedHit& hit, std::size_t i, const std::string& lead);
+  void snell(const ExplainedHit& hit, const std::string& lead);
+  void child(const RayTree& tree, const Child& child, RayKind kind, const ExplainedHit& hit,
+             const std::string& lead);
+  void sum(const RayTree& tree, const ExplainedRay& ray, const std::string& lead);
+  std::string header() const;
+
+  const Explanation& e_;
+  const TextOptions& options_;
+  std::string out_;
+};
+
+std::string Writer::in(Style style, const std::string& text) const {
+  constexpr const char* kCodes[] = {"", "2", "1", "1", "1;36", "1;35", "31", "1"};
+  if (!options_.color || style == Style::plain || text.empty()) return text;
+  return fmt::format("\x1b[{}m{}\x1b[0m", kCodes[static_cast<int>(style)], text);
+}
+
+/// A little of the colour itself, as the file will show it.
+std::string Writer::swatch(const Float3& color) const {
+  if (!options_.color) return "";
+  const auto byte = [&](std::size_t c) { return quantize(color[c], e_.profile.transfer, 8); };
+  return fmt::format("\x1b[48;2;{};{};{}m  \x1b[0m ", byte(0), byte(1), byte(2));
+}
+
+/// One light: the way to it, then its two terms.
+void Writer::light(const ExplainedHit& hit, std::size_t i, const std::string& lead) {
+  const LightTerms& at = hit.lights[i];
+  const Float3& intensity = e_.lights[i].color;
+  const std::string way = fmt::format(
+      "{}: L = {}, {}, L·N = {}", say(Word::light, light_number(i)), short_vector(at.to_light),
+      say(Word::light_distance, short_number(at.distance)), short_number(at.l_n));
+  line(lead, way);
+  switch (at.reach) {
+    case Reach::lit:
+      line(lead, fmt::format("  {}", say(Word::reach_lit)));
+      break;
+    case Reach::unchecked:
+      line(lead, fmt::format("  {}", say(Word::reach_unchecked)));
+      break;
+    case Reach::behind:
+      line(lead, fmt::format("  {}", in(Style::shadow, say(Word::reach_behind))));
+      break;
+    case Reach::blocked:
+      line(lead,
+           fmt::format("  {}", in(Style::shadow, say(Word::reach_blocked,
+                                                     label(at.blocker->shape, Case::accusative),
+                                                     short_number(at.blocker->distance)))));
+      break;
+  }
+  if (at.diffuse)
+    line(lead, fmt::format("  {}: Ii·kd·(L·N) = {}·{}·{} = {}", say(Word::diffuse),
+                           short_vector(intensity), short_vector(hit.kd), short_number(at.l_n),
+                           short_vector(*at.diffuse)));
+  if (at.specular)
+    line(lead, fmt::format("  {}: Ii·ks·(R·V)ⁿ = {}·{}·{}^{} = {}", say(Word::specular),
+                           short_vector(intensity), short_vector(hit.ks), short_number(*at.r_v),
+                           short_number(hit.shininess), short_vector(*at.specular)));
+  else if (at.r_v)
+    line(lead, fmt::format("  {}: {}", say(Word::specular),
+                           say(Word::no_specular, short_number(*at.r_v))));
+}
+
+void Writer::snell(const ExplainedHit& hit, const std::string& lead) {
+  const SnellTerms& s = *hit.snell;
+  const Angles angles = angles_of(s);
+  line(lead, fmt::format("{}: b = n1/n2 = {}, cos α = U·N = {}, α = {:.2f}°", say(Word::refraction),
+                         short_number(s.ratio), short_number(s.cosine), angles.alpha_deg));
+  const std::string d =
+      fmt::format("  D = 4·(b²·cos²α - b² + 1) = {}", short_number(4 * s.quarter_d));
+  if (s.total) {
+    line(lead, d);
+    std::string text = say(Word::total_reflection);
+    if (angles.critical_deg)
+      text += fmt::format(" ({})",
+                          say(Word::critical_angle, fmt::format("{:.2f}", *angles.critical_deg)));
+    text += fmt::format(
+        "; {}", say(e_.profile.mirror_when_total ? Word::total_mirrored : Word::total_black));
+    line(lead, fmt::format("  {}", in(Style::shadow, text)));
+  } else if (s.a) {
+    line(lead, fmt::format("{}, a = (-2·b·cos α + √D)/2 = {}, β = {:.2f}°", d, short_number(*s.a),
+                           angles.beta_deg.value_or(0)));
+  }
+}
+
+void Writer::hit(const RayTree& tree, const ExplainedRay& ray, const std::string& lead) {
+  const ExplainedHit& hit = *ray.hit;
+  line(lead, say(Word::meets, in(Style::strong, label(hit.shape, Case::accusative)),
+                 short_number(hit.distance), short_vector(hit.point)));
+  line(lead, say(Word::normal, short_vector(hit.normal)) +
+                 (hit.flipped ? fmt::format(", {}", say(Word::normal_turned)) : ""));
+  if (e_.terms.silhouette) {
+    line(lead, fmt::format("{}: {}", say(Word::silhouette), short_vector(hit.local)));
+    return;
+  }
+  if (e_.terms.ambient)
+    line(lead,
+         fmt::format("{}: Ia·ka = {}·{} = {}", say(Word::ambient), short_vector(e_.ambient_light),
+                     short_vector(hit.ka), short_vector(hit.ambient)));
+  for (std::size_t i = 0; i < hit.lights.size(); ++i) light(hit, i, lead);
+  line(lead, fmt::format("{}: I = {}", say(Word::local_light),
+                         in(Style::result, short_vector(hit.local))));
+  if (hit.snell) snell(hit, lead);
+  child(tree, hit.reflected, RayKind::reflected, hit, lead);
+  child(tree, hit.refracted, RayKind::refracted, hit, lead);
+}
+
+/// A child with all its tree, or why there is none.
+void Writer::child(const RayTree& tree, const Child& child, RayKind kind, const ExplainedHit& hit,
+                   const std::string& lead) {
+  const bool reflected = kind == RayKind::reflected;
+  if (child.ray >= 0) {
+    const std::string bare = lead.substr(0, lead.size() - std::string("│ ").size());
+    const ExplainedRay& next = tree.rays[static_cast<std::size_t>(child.ray)];
+    const bool both = reflected && child.share != hit.k1;
+    const std::string title =
+        fmt::format("{}, {} = {}, {}", say(reflected ? Word::ray_reflected : Word::ray_refracted),
+                    both        ? "k1 + k2"
+                    : reflected ? "k1"
+                                : "k2",
+                    short_number(child.share), say(Word::weight, short_number(next.weight)));
+    line(bare + "├─ ",
+         swatch(next.color) + in(reflected ? Style::reflected : Style::refracted, title));
+    ray(tree, static_cast<std::size_t>(child.ray), bare + "│  ");
+    return;
+  }
+  std::string why = reflected ? "k1 = 0" : "k2 = 0";
+  if (child.absence == Absence::depth) why = say(Word::absent_depth, e_.max_depth);
+  if (child.absence == Absence::stage) why = say(Word::absent_stage);
+  if (child.absence == Absence::total) why = say(Word::total_reflection);
+  line(lead,
+       in(Style::faint,
+          fmt::format("{}: {}", say(reflected ? Word::no_reflected : Word::no_refracted), why)));
+}
+
+/// What the ray brings back.
+void Writer::sum(const RayTree& tree, const ExplainedRay& ray, const std::string& lead) {
+  if (!ray.hit) {
+    line(lead, fmt::format("C = {} = {}", say(Word::background),
+                           in(Style::result, short_vector(ray.color))));
+    return;
+  }
+  const ExplainedHit& hit = *ray.hit;
+  std::string symbols = "C = I", numbers = short_vector(hit.local);
+  const auto add = [&](const Child& child, const char* symbol) {
+    if (child.ray < 0) return;
+    symbols += symbol;
+    numbers += fmt::format(" + {}·{}", short_number(child.share),
+                           short_vector(tree.rays[static_cast<std::size_t>(child.ray)].color));
+  };
+  add(hit.reflected, hit.reflected.share == hit.k1 ? " + k1·Crefl" : " + (k1 + k2)·Crefl");
+  add(hit.refracted, " + k2·Crefr");
+  const bool alone = hit.reflected.ray < 0 && hit.refracted.ray < 0;
+  std::string text = alone ? "C = I = " : fmt::format("{} = {} = ", symbols, numbers);
+  if (hit.sum != ray.color)
+    text += fmt::format("{}, {}: ", short_vector(hit.sum), say(Word::clamped));
+  line(lead, text + in(Style::result, short_vector(ray.color)));
+}
+
+/// All lines of a ray below its title.
+void Writer::ray(const RayTree& tree, std::size_t r, const std::string& lead) {
+  const ExplainedRay& ray = tree.rays[r];
+  const std::string inner = lead + "│ ";
+  line(inner, say(Word::starts, short_vector(ray.origin), short_vector(ray.direction)));
+  if (ray.hit)
+    hit(tree, ray, inner);
+  else
+    line(inner, say(Word::meets_nothing));
+  sum(tree, ray, lead + "└ ");
+}
+
+std::string Writer::header() const {
+  constexpr Word kProfiles[] = {Word::profile_lab, Word::profile_physical, Word::profile_spd};
+  std::string text = say(Word::pixel_of, e_.x, e_.y, e_.resolution.width, e_.resolution.height);
+  if (!options_.scene.empty()) text = fmt::format("{}, {}", options_.scene, text);
+  if (options_.profile)
+    text += fmt::format(", {}", say(kProfiles[static_cast<int>(*options_.profile)]));
+  if (const std::optional<Stage> stage = stage_of(e_.terms))
+    text += fmt::format(", {}", say(static_cast<Word>(static_cast<int>(Word::stage_silhouette) +
+                                                      static_cast<int>(*stage) - 1)));
+  return fmt::format("{}, {}", text, say(Word::depth_is, e_.max_depth));
+}
+
+std::string Writer::write() {
+  line("", in(Style::strong, header()));
+  for (std::size_t t = 0; t < e_.trees.size(); ++t) {
+    const ExplainedRay& root = e_.trees[t].rays.front();
+    std::string title = say(Word::ray_camera);
+    if (e_.trees.size() > 1)
+      title +=
+          fmt::format(", {}", say(static_cast<Word>(static_cast<std::size_t>(Word::corner_0) + t)));
+    line("", swatch(root.color) + in(Style::camera, title));
+    ray(e_.trees[t], 0, "");
+  }
+  if (e_.trees.size() > 1)
+    line("", fmt::format("{}: {}", say(Word::mean_of_corners), short_vector(e_.color)));
+  const auto byte = [&](std::size_t c) { return quantize(e_.color[c], e_.profile.transfer, 8); };
+  line("", fmt::format("{}{}: {}, {} ({}, {}, {})", swatch(e_.color), say(Word::color_of_pixel),
+                       in(Style::result, short_vector(e_.color)), say(Word::color_in_file), byte(0),
+                       byte(1), byte(2)));
+  line("", in(Style::strong, in_words(options_.language, e_)));
+  return std::move(out_);
+}
+
+}  // namespace
+
+std::string to_text(const Explanation& explanation, const TextOptions& options) {
+  return Writer(explanation, options).write();
+}
+
+}  // namespace zraka

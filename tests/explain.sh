@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# explain.sh PROGRAM: zraka explain from outside: words, exit codes, files.
+set -u
+zraka=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failed=0
+scene=scenes/lab/input.txt
+
+fail() {
+  echo "FAILED: $*"
+  failed=1
+}
+# expect CODE TEXT COMMAND…: the exit code, and text that standard error or output has.
+expect() {
+  local code=$1 text=$2 got
+  shift 2
+  "$@" >"$folder/words" 2>&1 </dev/null
+  got=$?
+  [ "$got" = "$code" ] || fail "exit code $got instead of $code: $* ($(head -c 300 "$folder/words"))"
+  grep -qF -- "$text" "$folder/words" || fail "no '$text' from: $* ($(head -c 300 "$folder/words"))"
+}
+# exactly TEXT COMMAND…: all that standard error says.
+exactly() {
+  local text=$1 got
+  shift
+  got=$("$@" 2>&1 >/dev/null </dev/null)
+  [ "$got" = "$text" ] || fail "'$got' instead of '$text' from: $*"
+}
+
+# Usage.
+expect 0 "Examples:" "$zraka" explain --help
+for bad in -1 a 1.5 "" " 3" 3x; do
+  exactly "X: '$bad' is not a whole number, 0 or more
+Run with --help for more information." "$zraka" explain $scene "$bad" 5
+  exactly "Y: '$bad' is not a whole number, 0 or more
+Run with --help for more information." "$zraka" explain $scene 5 "$bad"
+done
+expect 2 "Y is required" "$zraka" explain $scene 5
+expect 2 "--lang: 'de' is not en or hr" "$zraka" explain $scene 5 5 --lang de
+expect 2 "--format: pdf not in" "$zraka" explain $scene 5 5 --format pdf
+expect 2 "'8' is not a stage" "$zraka" explain $scene 5 5 --stage 8
+
+# Bad input.
+exactly "error: pixel (400, 399) is outside of the picture of 400×400 pixels
+  columns go from 0 to 399 from the left, rows from 0 to 399 from the top" "$zraka" explain $scene 400 399
+expect 1 "pixel (4294967295, 0) is outside of the picture of 400×400 pixels" "$zraka" explain $scene 99999999999999999999 0
+expect 1 "pixel (30, 30) is outside of the picture of 20×20 pixels" "$zraka" explain $scene 30 30 --width 20
+expect 1 "cannot be read: No such file or directory" "$zraka" explain "$folder/nowhere.txt" 1 1
+expect 1 "No space left on device" "$zraka" explain $scene 1 1 -o /dev/full
+expect 1 "does its folder exist?" "$zraka" explain $scene 1 1 -o "$folder/no/pixel.json"
+
+# The words, plain when piped; colours on a terminal unless NO_COLOR forbids.
+"$zraka" explain $scene 180 290 >"$folder/text" || fail "explain"
+[ "$(tail -n 1 "$folder/text")" = "Dark because the feeler to light 1 meets sphere 3 'staklo' at t = 0.396; only the ambient component remains." ] ||
+  fail "the last line is: $(tail -n 1 "$folder/text")"
+grep -q $'\x1b' "$folder/text" && fail "colours in a pipe"
+[ "$("$zraka" explain $scene 180 290 --lang hr | tail -n 1)" = "Tamno jer zraka za ispitivanje sjene prema svjetlu 1 pogađa kuglu 3 'staklo' na t = 0.396; ostaje samo ambijentna komponenta." ] ||
+  fail "the last line in Croatian"
+if command -v script >/dev/null; then
+  on_terminal() { TERM=xterm script -qec "$*" /dev/null </dev/null; }
+  on_terminal "$zraka" explain $scene 180 290 | grep -q $'\x1b' || fail "no colours on a terminal"
+  on_terminal env NO_COLOR=1 "$zraka" explain $scene 180 290 | grep -q $'\x1b' && fail "colours in spite of NO_COLOR"
+fi
+expect 0 "stage 2: ambient component" "$zraka" explain $scene 180 290 --stage ambient
+expect 0 "lower right corner" "$zraka" explain $scene 180 290 --profile spd
+for isa in $("$zraka" --version | sed -n 's/^this machine has://p'); do
+  "$zraka" explain $scene 180 290 --isa "$isa" | cmp -s - "$folder/text" || fail "$isa explains otherwise"
+done
+
+# JSON, by name or by option.
+"$zraka" explain $scene 180 290 -o "$folder/pixel.json" || fail "json"
+"$zraka" explain $scene 180 290 --format json | cmp -s - "$folder/pixel.json" || fail "--format json is not .json"
+for key in color tree words pixel profile background lights; do
+  grep -q "^ \"$key\": " "$folder/pixel.json" || fail "JSON has no $key"
+done
+
+[ $failed = 0 ] && echo "all well"
+exit $failed
