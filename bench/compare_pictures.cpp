@@ -36,12 +36,14 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: compare_pictures OURS.png THEIRS.png\n");
     return 2;
   }
-  const auto ours = zraka::read_png(argv[1]);
-  if (!ours) return fail(ours.error());
-  auto theirs = zraka::read_png(argv[2]);
-  if (!theirs) return fail(theirs.error());
+  const auto our_file = zraka::read_image(argv[1]);
+  if (!our_file) return fail(our_file.error());
+  auto their_file = zraka::read_image(argv[2]);
+  if (!their_file) return fail(their_file.error());
+  const Image* ours = &our_file->image;
+  Image* theirs = &their_file->image;
   if (theirs->width == ours->width + 1 && theirs->height == ours->height + 1)
-    theirs = means_of_corners(*theirs);
+    *theirs = means_of_corners(*theirs);
   if (theirs->width != ours->width || theirs->height != ours->height) {
     fmt::print(stderr, "{}: error: is {}×{}, ours {}×{}\n", argv[2], theirs->width, theirs->height,
                ours->width, ours->height);

@@ -314,11 +314,11 @@ ray from the eye
 │ refraction: b = n1/n2 = 0.8, cos α = U·N = 1, α = 0.00°
 │   D = 4·(b²·cos²α - b² + 1) = 4, a = (-2·b·cos α + √D)/2 = 0.2, β = 0.00°
 ├─ reflected ray, k1 = 0.5, weight in the pixel 0.5
-│  │ from (0, 0, 9.537e-07) in the direction (0, 0, 1)
+│  │ from (0, 0, 2.861e-06) in the direction (0, 0, 1)
 │  │ meets nothing
 │  └ C = background = (0, 0, 0)
 ├─ refracted ray, k2 = 0.25, weight in the pixel 0.25
-│  │ from (0, 0, -9.537e-07) in the direction (0, 0, -1)
+│  │ from (0, 0, -2.861e-06) in the direction (0, 0, -1)
 │  │ meets sphere 1 at t = 2, in the point (0, 0, -2)
 │  │ normal N = (0, 0, 1), turned, for the ray comes from the inner or back side
 │  │ ambient component: Ia·ka = (0.5, 0.5, 0.5)·(0.2, 0.4, 0.6) = (0.1, 0.2, 0.3)
