@@ -245,7 +245,7 @@ TEST(Hierarchy, IsTheSameFromAnyNumberOfThreads) {
   const auto store = freeze<float>(scene, profile_of(ProfileName::physical), frame_of(scene));
   const std::vector<std::int32_t> starts = kind_starts_of(store->scene);
   const BuiltHierarchy first = build_hierarchy(references_to(store->scene), starts);
-  for (const std::size_t threads : {1, 2, 3}) {
+  for (const std::size_t threads : {1u, 2u, 3u}) {
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const BuiltHierarchy again = build_hierarchy(references_to(store->scene), starts);
     EXPECT_EQ(again.order, first.order);

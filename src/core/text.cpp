@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 
 namespace zraka {
 namespace {
@@ -64,6 +66,29 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
+namespace {
+
+/// The value of eight digits, if eight digits follow: neighbours are joined to twos, fours and
+/// eight in one word.
+bool read_eight_digits(const char* at, const char* end, std::uint32_t& value) {
+  if constexpr (std::endian::native != std::endian::little) return false;
+  if (end - at < 8) return false;
+  std::uint64_t word;
+  std::memcpy(&word, at, sizeof(word));
+  constexpr std::uint64_t kHigh = 0xF0F0F0F0F0F0F0F0u, kZeros = 0x3030303030303030u;
+  if ((word & kHigh) != kZeros || ((word + 0x0606060606060606u) & kHigh) != kZeros) return false;
+  word -= kZeros;
+  word = 10 * word + (word >> 8);
+  constexpr std::uint64_t kTwos = 0x000000FF000000FFu;
+  constexpr std::uint64_t kFirst = 100 + (std::uint64_t{1000000} << 32),
+                          kSecond = 1 + (std::uint64_t{10000} << 32);
+  value = static_cast<std::uint32_t>(((word & kTwos) * kFirst + ((word >> 16) & kTwos) * kSecond) >>
+                                     32);
+  return true;
+}
+
+}  // namespace
+
 const char* read_number(const char* begin, const char* end, double& value) {
   // Up to 15 digits are an exact double, and so is a power of ten up to 22: their quotient is
   // rounded once, hence right (Clinger, "How to read floating point numbers accurately", 1990).
@@ -79,6 +104,10 @@ const char* read_number(const char* begin, const char* end, double& value) {
   std::ptrdiff_t count = at - first, behind = 0;
   if (at != end && *at == '.') {
     const char* const point = ++at;
+    if (std::uint32_t eight = 0; read_eight_digits(at, end, eight)) {
+      digits = 100000000 * digits + eight;
+      at += 8;
+    }
     for (; at != end && *at >= '0' && *at <= '9' && at - point < 16; ++at)
       digits = 10 * digits + static_cast<std::uint64_t>(*at - '0');
     behind = at - point;
