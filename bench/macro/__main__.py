@@ -14,7 +14,7 @@ import pins  # noqa: E402
 import scenes  # noqa: E402
 import sections  # noqa: E402
 from contest import check_bits, contest, say  # noqa: E402
-from processes import Failed  # noqa: E402
+from processes import Failed, write_whole  # noqa: E402
 from rivals.embree import Embree, EmbreePoints, EmbreeSingle  # noqa: E402
 from rivals.povray import PovRay  # noqa: E402
 from rivals.tachyon import Tachyon  # noqa: E402
@@ -36,7 +36,7 @@ EXAMPLES = """examples:
 
 def words_of(arguments):
     parser = argparse.ArgumentParser(prog="bench/run", formatter_class=argparse.RawDescriptionHelpFormatter,
-                                     description="Times zraka beside Embree, Tachyon and POV-Ray: render seconds as each "
+                                     description="Times zraka beside Embree, Tachyon and POV-Ray: render seconds as each\n"
                                      "program tells them, in turns, by the rules of --profile spd.", epilog=EXAMPLES)
     parser.add_argument("files", nargs="*", metavar="SCENE.nff", help="scene files; without any, generated scenes")
     parser.add_argument("--scenes", help="generated scenes as NAME:SIZE@WIDTH, with commas between "
@@ -78,6 +78,13 @@ def processor():
             return next(line.split(":")[1].strip() for line in file if line.startswith("model name"))
     except (OSError, StopIteration):
         return platform.processor() or platform.machine()
+
+
+def warn_if_busy(words):
+    busy = os.getloadavg()[0]
+    if busy > 0.3 * words.threads and not words.quick:
+        say(f"warning: this machine is busy (load {busy:.1f}): times will be too long, ratios less sure")
+    return busy
 
 
 def chosen_scenes(words, zraka, folder):
@@ -134,7 +141,7 @@ def run_contest(words, zraka, folder, record):
 
 
 def measure(words, zraka, folder):
-    record = {"processor": processor(), "threads": words.threads, "zraka": zraka.version(),
+    record = {"processor": processor(), "load": warn_if_busy(words), "threads": words.threads, "zraka": zraka.version(),
               "instruction_set": zraka.instruction_sets()[0],
               "rivals": [RIVALS[name](words.programs, words.timeout).version() for name in words.rivals]}
     print(f"{record['processor']}, {record['threads']} threads, {record['instruction_set']}; {record['zraka']}"
@@ -154,7 +161,7 @@ def measure(words, zraka, folder):
         record["large"] = sections.large("sphereflake:2@64" if words.quick else "sphereflake:7", [zraka, *rivals],
                                          zraka, folder, words)
     if words.json:
-        Path(words.json).write_text(json.dumps(record, indent=2) + "\n")
+        write_whole(words.json, json.dumps(record, indent=2) + "\n")
     return complaints
 
 

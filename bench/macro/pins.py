@@ -3,6 +3,8 @@
 import json
 from pathlib import Path
 
+from processes import write_whole
+
 FILE = Path(__file__).resolve().parent.parent / "pins.json"
 
 
@@ -27,4 +29,4 @@ def write(pictures):
     for scene, picture in pictures:
         if scene.pinned:
             pins[scene.name] = {"scene": scene.digest(), "picture": picture}
-    FILE.write_text(json.dumps(dict(sorted(pins.items())), indent=2) + "\n")
+    write_whole(FILE, json.dumps(dict(sorted(pins.items())), indent=2) + "\n")

@@ -6,6 +6,7 @@ import tempfile
 import threading
 import time
 from dataclasses import dataclass
+from pathlib import Path
 
 
 class Failed(Exception):
@@ -18,6 +19,13 @@ class Finished:
     peak_bytes: int  # of its memory, as the system counts it
     out: str  # standard output
     words: str  # standard output and error
+
+
+def write_whole(path, text):
+    """Beside its name first, so that a file is never half written."""
+    unfinished = Path(f"{path}.{os.getpid()}")
+    unfinished.write_text(text)
+    unfinished.replace(path)
 
 
 def last_words(text, lines=4):

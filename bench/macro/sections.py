@@ -89,6 +89,6 @@ def large(word, contenders, zraka, folder, options):
         record.append({"program": contender.name, "shapes": shapes, "load": steps[0], "build": steps[1],
                        "render": steps[2], "peak_bytes": peak, "scene_bytes": kept})
     show(f"{scene.name}, {thousands(shapes)} shapes, seconds (Embree reads with zraka's reader):",
-         ["program", "load", "build", "render", "all", "peak, MB", "bytes a shape", "of them scene and hierarchy"], rows,
-         options.markdown)
+         ["program", "load", "build", "render", "all", "peak, MB", "bytes a shape", "of them scene and hierarchy"],
+         rows, options.markdown)
     return record

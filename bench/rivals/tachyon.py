@@ -23,8 +23,8 @@ class Tachyon(Rival):
     def run(self, scene, folder, threads):
         picture = folder / f"{scene.file.stem}-{scene.width}-tachyon.png"
         picture.unlink(missing_ok=True)
-        done = run([self.path("tachyon"), self.translated(scene, folder), "-o", picture, "-format", "PNG", "-shade_phong",
-                    "-numthreads", threads], self.timeout)
+        done = run([self.path("tachyon"), self.translated(scene, folder), "-o", picture, "-format", "PNG",
+                    "-shade_phong", "-numthreads", threads], self.timeout)
         # It ends with 0 whatever went wrong.
         found = re.search(r"Ray Tracing Time:\s*([\d.]+) seconds", done.words)
         if not found or not picture.is_file():
