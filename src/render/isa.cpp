@@ -79,7 +79,7 @@ Result<Isa> choose_isa(std::optional<Isa> wanted) {
   return *wanted;
 }
 
-const Kernel<float>& kernel_of(Isa isa) {
+const Kernel<float>& kernel_of([[maybe_unused]] Isa isa) {
 #if defined(ZRAKA_HAVE_X86)
   if (isa == Isa::avx512) return isa_avx512::kKernel;
   if (isa == Isa::avx2) return isa_avx2::kKernel;
@@ -87,7 +87,7 @@ const Kernel<float>& kernel_of(Isa isa) {
   return isa_portable::kKernel;
 }
 
-RecordTile<float>& record_tile_of(Isa isa) {
+RecordTile<float>& record_tile_of([[maybe_unused]] Isa isa) {
 #if defined(ZRAKA_HAVE_X86)
   if (isa == Isa::avx512) return isa_avx512::record_tile;
   if (isa == Isa::avx2) return isa_avx2::record_tile;
