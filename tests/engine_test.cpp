@@ -314,7 +314,11 @@ TEST(Render, OutlivesScenesOfAnySize) {
   for (const double size : {1e-320, 1e-300, 1e-30, 1e30, 1e99}) {
     Scene scene = lab_scene(16);
     for (int i = 0; i < 17; ++i) add_sphere(scene, {0, size, 0}, size / 2, {});
-    EXPECT_TRUE(render(scene, lab())) << size;
+    for (const Isa isa : available_isas()) {
+      RenderOptions options = lab();
+      options.isa = isa;
+      EXPECT_TRUE(render(scene, options)) << size << " with " << name_of(isa);
+    }
   }
   Scene scene = lab_scene(16);
   for (int i = 0; i < 17; ++i) add_sphere(scene, {0, 1e308, 0}, 1e308, {});

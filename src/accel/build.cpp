@@ -521,7 +521,8 @@ std::int32_t Builder::build_node(Range whole, int depth) {
     node.lower_z[i] = bounds.lower[2];
     node.upper_x[i] = bounds.upper[0], node.upper_y[i] = bounds.upper[1],
     node.upper_z[i] = bounds.upper[2];
-    node.child[i] = node.leaf[i] = 0;
+    node.child[i] = 0;
+    node.leaf[i] = i < ranges.size() ? 0 : kNoChild;
   }
   tbb::task_group tasks;
   Handover to_tasks, from_tasks;

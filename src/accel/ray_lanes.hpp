@@ -20,6 +20,15 @@ struct RayLanes {
   typename L::I slot;  ///< its primitive, -1 for none
 };
 
+/// Which rays are rays at all: what overflows on its way becomes no number, and meets nothing.
+template <class L>
+ZRAKA_INLINE typename L::M are_numbers(const RayLanes<L>& ray) {
+  const typename L::F zero = (ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x +
+                              ray.direction.y + ray.direction.z) *
+                             typename L::F(0);
+  return zero == typename L::F(0);
+}
+
 /// Calls function(shapes) for the kind of shapes that a number stands for.
 template <class R, class Function>
 ZRAKA_INLINE void with_kind(const FrozenScene<R>& scene, std::int32_t kind,

@@ -25,6 +25,7 @@ ZRAKA_INLINE void each_lane(std::uint32_t lanes, const Function& function) {
 /// The nearest hit of each active ray nearer than its t.
 template <class L, class R = typename L::Real>
 void nearest_in_hierarchy(const FrozenScene<R>& scene, typename L::M active, RayLanes<L>& ray) {
+  active = both(active, are_numbers<L>(ray));
   const Bundle<L> bundle(ray, active);
   // Lanes that are not active meet nothing.
   ray.t = select(active, ray.t, typename L::F(-1));
@@ -83,6 +84,7 @@ template <class L, class R = typename L::Real>
 typename L::M blocked_in_hierarchy(const FrozenScene<R>& scene, typename L::M wanted,
                                    LastBlocker& last, RayLanes<L> ray) {
   using F = typename L::F;
+  wanted = both(wanted, are_numbers<L>(ray));
   const Bundle<L> bundle(ray, wanted);
   ray.t = select(wanted, ray.t, F(-1));
   alignas(64) R t[L::kWidth];

@@ -13,6 +13,10 @@ inline constexpr int kNodeWidth = 16;
 /// Levels of nodes that a hierarchy may have.
 inline constexpr int kMaxNodeDepth = 64;
 
+/// Node::leaf where there is no child: no primitives of a kind that there is not. Rays that are not
+/// numbers may come to it through its empty box, and find nothing.
+inline constexpr std::int32_t kNoChild = std::int32_t{1} << 20;
+
 /// Sixteen boxes in the engine's frame, a column for each side; boxes of missing children are empty
 /// (lower above upper). Boxes are larger than what they hold by what a primitive's intersection can
 /// err, so that no ray that meets a primitive by its arithmetic can miss the box by its own.
@@ -21,7 +25,7 @@ struct alignas(64) Node {
   float upper_x[kNodeWidth], upper_y[kNodeWidth], upper_z[kNodeWidth];
   /// An inner child: the index of its node. A leaf: its first primitive, among those of its kind.
   std::int32_t child[kNodeWidth];
-  /// An inner child: 0. A leaf: its number of primitives + 32·kind.
+  /// An inner child: 0. A leaf: its number of primitives + 32·kind. A missing child: kNoChild.
   std::int32_t leaf[kNodeWidth];
 };
 
