@@ -24,7 +24,7 @@ expect() {
 
 # Help and version.
 expect 0 "Examples:" "$zraka" --help
-for command in render stages explain info generate "generate letter" compare; do
+for command in render stages explain influence info generate "generate letter" compare; do
   # shellcheck disable=SC2086
   expect 0 "Example" "$zraka" $command --help
 done
@@ -33,7 +33,7 @@ expect 0 "in use: portable" env ZRAKA_ISA=portable "$zraka" --version
 
 # Wrong usage.
 expect 2 "A subcommand is required" "$zraka"
-expect 2 "'rendr' is no command: there are render, stages, explain, generate, info, compare" "$zraka" rendr "$scene"
+expect 2 "'rendr' is no command: there are render, stages, explain, influence, generate, info, compare" "$zraka" rendr "$scene"
 expect 1 "standard output: error: cannot be written" bash -c "'$zraka' info $scene >/dev/full"
 expect 2 "--frobnicate" "$zraka" render "$scene" -o "$folder/a.png" --frobnicate
 expect 2 "--output is required" "$zraka" render "$scene"

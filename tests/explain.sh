@@ -76,5 +76,28 @@ for key in color tree words pixel profile background lights; do
   grep -q "^ \"$key\": " "$folder/pixel.json" || fail "JSON has no $key"
 done
 
+# Rays for 3-D programs.
+"$zraka" explain $scene 230 250 --rays "$folder/rays.obj" >/dev/null || fail "--rays obj"
+[ "$(grep -c '^l ' "$folder/rays.obj")" -ge 12 ] || fail "rays.obj has too few rays"
+"$zraka" explain $scene 230 250 --rays "$folder/rays.gltf" >/dev/null || fail "--rays gltf"
+grep -q '"feeler-blocked"' "$folder/rays.gltf" || fail "rays.gltf has no feelers"
+expect 2 "--rays: 'rays.png' is not the name of a .obj or a .gltf" "$zraka" explain $scene 5 5 --rays rays.png
+expect 1 "does its folder exist?" "$zraka" explain $scene 5 5 --rays "$folder/no/rays.obj"
+
+# Influence of a shape.
+expect 0 "Sphere 3 'staklo' has a part in" "$zraka" influence $scene staklo
+cp "$folder/words" "$folder/by_name"
+expect 0 "by refracted ray → refracted ray" "$zraka" influence $scene sphere 2
+expect 0 "Kugla 3 'staklo' ima udjela u" "$zraka" influence $scene kugla 3 --lang hr
+"$zraka" influence $scene Sphere 3 | cmp -s - "$folder/by_name" || fail "the number is not the name"
+expect 0 '"through_glass":' "$zraka" influence $scene sphere 3 --format json
+expect 0 "orange seen from the eye" "$zraka" influence $scene staklo -o "$folder/marked.png"
+[ "$(head -c 4 "$folder/marked.png" | tail -c 3)" = PNG ] || fail "no picture of influence"
+"$zraka" influence $scene staklo -o - | cmp -s - "$folder/marked.png" || fail "influence to standard output"
+exactly "error: the scene has no shape 'zelen'
+  it has sphere 1 to sphere 7; names are 'tlo', 'zrcalo', 'staklo', 'crvena', 'zuta', 'zelena', 'modra'" \
+  "$zraka" influence $scene zelen
+expect 2 "NAME" "$zraka" influence $scene
+
 [ $failed = 0 ] && echo "all well"
 exit $failed

@@ -17,11 +17,12 @@ using AddCommand = CLI::App* (*)(CLI::App& program, Command& command);
 CLI::App* add_render(CLI::App& program, Command& command);
 CLI::App* add_stages(CLI::App& program, Command& command);
 CLI::App* add_explain(CLI::App& program, Command& command);
+CLI::App* add_influence(CLI::App& program, Command& command);
 CLI::App* add_generate(CLI::App& program, Command& command);
 CLI::App* add_info(CLI::App& program, Command& command);
 CLI::App* add_compare(CLI::App& program, Command& command);
 
-inline constexpr AddCommand kCommands[] = {add_render,   add_stages, add_explain,
+inline constexpr AddCommand kCommands[] = {add_render,   add_stages, add_explain, add_influence,
                                            add_generate, add_info,   add_compare};
 
 }  // namespace zraka::app

@@ -10,6 +10,8 @@
 #include "core/text.hpp"
 #include "core/words.hpp"
 #include "explain/json.hpp"
+#include "explain/rays_file.hpp"
+#include "explain/segments.hpp"
 #include "explain/sentence.hpp"
 #include "explain/text.hpp"
 #include "render_options.hpp"
@@ -24,6 +26,7 @@ struct Words : RenderWords {
   std::string format;  // "": by the output's name
   std::string language = "en";
   std::string stage = "refraction";
+  std::string rays;  // a file for the segments
 };
 
 /// A column or a row: a whole number. What is too large for any picture is the largest that fits.
@@ -41,6 +44,21 @@ std::string format_of(const Words& words) {
   return extension == ".json" ? "json" : extension == ".html" ? "html" : "text";
 }
 
+bool is_rays_file(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return extension == ".obj" || extension == ".gltf";
+}
+
+Result<void> write_rays(const Words& words, const Scene& scene, const Explanation& explanation) {
+  const std::vector<Segment> segments = segments_of(scene, explanation);
+  const bool obj = std::filesystem::path(words.rays).extension() == ".obj";
+  return write_text_file(
+      words.rays,
+      obj ? rays_as_obj(segments, fmt::format("rays of pixel ({}, {}) of {}", explanation.x,
+                                              explanation.y, shown(words.scene)))
+          : rays_as_gltf(segments));
+}
+
 int run(const Words& words) {
   const Result<Scene> scene = words.load();
   if (!scene) return fail(scene.error());
@@ -50,6 +68,10 @@ int run(const Words& words) {
       explain(*scene, options, *coordinate(words.x), *coordinate(words.y));
   if (!explanation) return fail(explanation.error());
 
+  if (!words.rays.empty()) {
+    const Result<void> written = write_rays(words, *scene, *explanation);
+    if (!written) return fail(written.error());
+  }
   const Language language = *language_named(words.language);
   const ProfileName profile = words.profile_name(*scene);
   std::string text;
@@ -92,11 +114,14 @@ CLI::App* add_explain(CLI::App& program, Command& command) {
       ->check(one_of(
           "a stage: 1…7, silhouette, ambient, diffuse, specular, shadows, reflection or refraction",
           [](const std::string& word) { return stage_named(word).has_value(); }));
+  app->add_option("--rays", words->rays, "also write all rays as lines: NAME.obj or NAME.gltf")
+      ->check(one_of("the name of a .obj or a .gltf", is_rays_file));
   app->footer(
       "Examples:\n"
       "  zraka explain scenes/lab/input.txt 110 160\n"
       "  zraka explain input.txt 250 300 --stage shadows --lang hr\n"
-      "  zraka explain input.txt 250 300 --format json | jq .tree.hit.lights");
+      "  zraka explain input.txt 250 300 --format json | jq .tree.hit.lights\n"
+      "  zraka explain input.txt 250 300 --rays rays.gltf");
   app->callback([&command, words] { command = [words] { return run(*words); }; });
   return app;
 }

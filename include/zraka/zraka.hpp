@@ -7,5 +7,6 @@
 #include <zraka/explain.hpp>
 #include <zraka/formats.hpp>
 #include <zraka/image.hpp>
+#include <zraka/influence.hpp>
 #include <zraka/render.hpp>
 #include <zraka/scene.hpp>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/engine.hpp"
+#include "engine/tile_order.hpp"
 #include "math/lanes.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -16,17 +17,6 @@ template <class L, class R>
 ZRAKA_INLINE V3<typename L::F> broadcast(const V3<R>& v) {
   using F = typename L::F;
   return {F(v.x), F(v.y), F(v.z)};
-}
-
-/// The order of a tile's rays: squares of 4×4 pixels row by row, so that rays in neighbouring lanes
-/// stay together through the scene. Calls function(column, row) for each pixel of the tile.
-template <class Function>
-ZRAKA_INLINE void each_pixel(const TileRect& tile, const Function& function) {
-  constexpr std::int32_t kSide = 4;
-  for (std::int32_t top = 0; top < tile.height; top += kSide)
-    for (std::int32_t left = 0; left < tile.width; left += kSide)
-      for (std::int32_t y = top; y < tile.height && y < top + kSide; ++y)
-        for (std::int32_t x = left; x < tile.width && x < left + kSide; ++x) function(x, y);
 }
 
 /// A ray through each pixel, in the order of each_pixel().

@@ -3,6 +3,7 @@
 // pixel.
 #include <fmt/format.h>
 
+#include <new>
 #include <zraka/explain.hpp>
 
 #include "explain/recording.hpp"
@@ -267,43 +268,11 @@ Result<RayTree> read_tree(const Stand& stand, std::uint32_t x, std::uint32_t y) 
       "ask for fewer levels with a smaller depth");
 }
 
-}  // namespace
-
-struct Explainer::Impl {
-  Stand stand;
-};
-
-Explainer::Explainer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-Explainer::Explainer(Explainer&&) noexcept = default;
-Explainer& Explainer::operator=(Explainer&&) noexcept = default;
-Explainer::~Explainer() = default;
-
-Result<Explainer> Explainer::create(const Scene& scene, const RenderOptions& options) {
-  Diagnostics problems = check_request(scene, options);
-  if (!problems.empty()) return tl::make_unexpected(std::move(problems));
-  const Result<Isa> isa = choose_isa(options.isa);
-  if (!isa) return tl::make_unexpected(isa.error());
-  if (*isa == Isa::oracle)
-    return failure("", "the oracle's numbers are doubles, and no picture's: it explains nothing",
-                   "ask for avx512, avx2 or portable");
-  return Explainer(std::unique_ptr<Impl>(
-      new Impl{{scene, options, settings_of(options), prepare<float>(scene, options.profile),
-                &record_tile_of(*isa)}}));
-}
-
-Result<Explanation> Explainer::pixel(std::uint32_t x, std::uint32_t y) {
-  const Stand& stand = impl_->stand;
-  const Resolution size = stand.scene.resolution;
-  if (x >= size.width || y >= size.height)
-    return failure("",
-                   fmt::format("pixel ({}, {}) is outside of the picture of {}×{} pixels", x, y,
-                               size.width, size.height),
-                   fmt::format("columns go from 0 to {} from the left, rows from 0 to {} from the "
-                               "top",
-                               size.width - 1, size.height - 1));
+/// All of a pixel: one tree, or those of its four corners and their mean.
+Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_t y) {
   Explanation explanation{.x = x,
                           .y = y,
-                          .resolution = size,
+                          .resolution = stand.scene.resolution,
                           .terms = stand.options.terms,
                           .profile = stand.options.profile,
                           .max_depth = stand.options.max_depth,
@@ -326,6 +295,51 @@ Result<Explanation> Explainer::pixel(std::uint32_t x, std::uint32_t y) {
       explanation.color[c] = mean_of_corners(corner(0), corner(1), corner(2), corner(3));
     }
   return explanation;
+}
+
+}  // namespace
+
+struct Explainer::Impl {
+  Stand stand;
+};
+
+Explainer::Explainer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Explainer::Explainer(Explainer&&) noexcept = default;
+Explainer& Explainer::operator=(Explainer&&) noexcept = default;
+Explainer::~Explainer() = default;
+
+Result<Explainer> Explainer::create(const Scene& scene, const RenderOptions& options) {
+  Diagnostics problems = check_request(scene, options);
+  if (!problems.empty()) return tl::make_unexpected(std::move(problems));
+  const Result<Isa> isa = choose_isa(options.isa);
+  if (!isa) return tl::make_unexpected(isa.error());
+  if (*isa == Isa::oracle)
+    return failure("", "the oracle's numbers are doubles, and no picture's: it explains nothing",
+                   "ask for avx512, avx2 or portable");
+  try {
+    return Explainer(std::unique_ptr<Impl>(
+        new Impl{{scene, options, settings_of(options), prepare<float>(scene, options.profile),
+                  &record_tile_of(*isa)}}));
+  } catch (const std::bad_alloc&) {
+    return failure("", fmt::format("not enough memory for {} shapes", scene.shape_count()));
+  }
+}
+
+Result<Explanation> Explainer::pixel(std::uint32_t x, std::uint32_t y) {
+  const Resolution size = impl_->stand.scene.resolution;
+  if (x >= size.width || y >= size.height)
+    return failure("",
+                   fmt::format("pixel ({}, {}) is outside of the picture of {}×{} pixels", x, y,
+                               size.width, size.height),
+                   fmt::format("columns go from 0 to {} from the left, rows from 0 to {} from the "
+                               "top",
+                               size.width - 1, size.height - 1));
+  try {
+    return read_pixel(impl_->stand, x, y);
+  } catch (const std::bad_alloc&) {
+    return failure("", fmt::format("not enough memory for the ray tree of pixel ({}, {})", x, y),
+                   "ask for fewer levels with a smaller depth");
+  }
 }
 
 Result<Explanation> explain(const Scene& scene, const RenderOptions& options, std::uint32_t x,

@@ -28,10 +28,13 @@ std::string plain_name(const ShapeId& id) {
   return fmt::format("{} {}", kPlainNames[id.kind], std::uint64_t{id.index} + 1);
 }
 
+std::string_view noun_of(Language language, std::int32_t kind, Case form) {
+  return text_of(language, kShapeWords[kind][static_cast<int>(form)]);
+}
+
 std::string label_of(Language language, const NamedShape& shape, Case form) {
-  const Word noun = kShapeWords[shape.id.kind][static_cast<int>(form)];
-  std::string label =
-      fmt::format("{} {}", text_of(language, noun), std::uint64_t{shape.id.index} + 1);
+  std::string label = fmt::format("{} {}", noun_of(language, shape.id.kind, form),
+                                  std::uint64_t{shape.id.index} + 1);
   if (!shape.name.empty()) label += fmt::format(" '{}'", shape.name);
   return label;
 }

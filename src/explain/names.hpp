@@ -15,6 +15,9 @@ std::string plain_name(const ShapeId& id);
 /// What a sentence asks of a noun; English has one form for all.
 enum class Case { nominative, accusative, genitive, locative };
 
+/// The kind of shape alone: "sphere", "kugla".
+std::string_view noun_of(Language language, std::int32_t kind, Case form = Case::nominative);
+
 /// "sphere 3 'green'", "kuglu 3 'green'".
 std::string label_of(Language language, const NamedShape& shape, Case form = Case::nominative);
 

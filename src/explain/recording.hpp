@@ -65,9 +65,9 @@ class RecordedTerms {
 
 /// Which of the scene's shapes a slot holds.
 inline ShapeId shape_in_slot(const FrozenScene<float>& scene, std::int32_t slot) {
-#define ZRAKA_IF(Type, plural)                                                         \
+#define ZRAKA_IF(Type, plural)                                                                    \
   if (const std::int32_t at = slot - scene.plural.first_slot; at >= 0 && at < scene.plural.count) \
-    return {kind_as_read(kKindOf##Type),                                                             \
+    return {kind_as_read(kKindOf##Type),                                                          \
             static_cast<std::uint32_t>(scene.plural.id[at] - scene.plural.first_id)};
   ZRAKA_KINDS(ZRAKA_IF)
 #undef ZRAKA_IF

@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tiles over threads: oneTBB hands out tiles, each thread has its own memory for the engine.
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <chrono>
 #include <mutex>
 #include <zraka/render.hpp>
 
-#include "core/handover.hpp"
 #include "render/isa.hpp"
 #include "render/prepare.hpp"
+#include "render/tiles.hpp"
 #include "render/workspace.hpp"
 
 namespace zraka {
 namespace {
-
-/// Small enough for the arrays of a tile's trees to stay in the second-level cache.
-constexpr int kDefaultTile = 32;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -47,32 +41,15 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
                   const TraceSettings& settings, const RenderOptions& options, int tile,
                   int threads, Rendering& rendering) {
   Image& image = rendering.image;
-  const auto width = static_cast<std::int32_t>(image.width);
-  const auto height = static_cast<std::int32_t>(image.height);
-  const std::int32_t columns = (width + tile - 1) / tile;
-  const std::int32_t rows = (height + tile - 1) / tile;
-
   tbb::enumerable_thread_specific<Worker<R>> workers(
       [&] { return Worker<R>{WorkspaceMemory<R>(tile * tile, settings.max_depth), {}}; });
   std::atomic<std::uint64_t> pixels_done{0}, rays_done{0};
-  std::atomic<bool> cancelled{false};
-
-  Handover to_workers, from_workers;
-  const auto render_tile = [&](std::int32_t index) {
-    to_workers.take();
-    if (cancelled.load(std::memory_order_relaxed)) return;
-    if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed)) {
-      cancelled = true;
-      return;
-    }
-    const std::int32_t x = index % columns * tile, y = index / columns * tile;
-    const TileRect rect{x, y, std::min(tile, width - x), std::min(tile, height - y)};
+  const auto render_tile = [&](const TileRect& rect) {
     Worker<R>& worker = workers.local();
     RayCounts counts;
     kernel.trace_tile(scene, settings, rect, worker.memory.workspace(), counts,
-                      image.row(static_cast<std::uint32_t>(y)) + 3 * x, image.width);
+                      image.row(static_cast<std::uint32_t>(rect.y)) + 3 * rect.x, image.width);
     add(worker.counts, counts);
-    from_workers.give();
     if (options.progress) {
       const std::uint64_t area =
           static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
@@ -81,20 +58,10 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
       options.progress(pixels, std::uint64_t{image.width} * image.height, rays);
     }
   };
-
-  tbb::task_arena arena(threads);
-  to_workers.give();
-  arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<std::int32_t>(0, columns * rows),
-        [&](const tbb::blocked_range<std::int32_t>& range) {
-          for (std::int32_t i = range.begin(); i < range.end(); ++i) render_tile(i);
-        },
-        tbb::simple_partitioner());
-  });
-  from_workers.take();
+  const bool complete =
+      each_tile(image.width, image.height, tile, threads, options.cancel, render_tile);
   for (const Worker<R>& worker : workers) add(rendering.stats.rays, worker.counts);
-  return !cancelled;
+  return complete;
 }
 
 template <class R, class SceneRef>

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// zraka influence: which pixels a shape reaches, and by which ways.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "core/text.hpp"
+#include "core/words.hpp"
+#include "explain/names.hpp"
+#include "progress.hpp"
+#include "render_options.hpp"
+#include "terminal.hpp"
+
+namespace zraka::app {
+namespace {
+
+struct Words : RenderWords {
+  std::vector<std::string> name;
+  std::string output, format = "text", language = "en";
+};
+
+/// The marks of the picture, linear; the first bit of a pixel decides.
+struct Mark {
+  InfluenceBit bit;
+  float color[3];
+};
+constexpr Mark kMarks[] = {{kSeen, {1.0f, 0.4f, 0.05f}},
+                           {kMirrored, {0.05f, 0.3f, 1.0f}},
+                           {kThroughGlass, {0.55f, 0.1f, 0.8f}},
+                           {kBothWays, {0.05f, 0.6f, 0.2f}},
+                           {kShadow, {0.8f, 0.03f, 0.03f}}};
+
+/// The picture in dark grey, with the pixels that the shape reaches in colours.
+Image marked(Image image, const Influence& influence) {
+  for (std::size_t i = 0; i < influence.pixels.size(); ++i) {
+    float* pixel = image.pixels.data() + 3 * i;
+    const auto unit = [](float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; };
+    const float grey =
+        0.2126f * unit(pixel[0]) + 0.7152f * unit(pixel[1]) + 0.0722f * unit(pixel[2]);
+    for (int c = 0; c < 3; ++c) pixel[c] = 0.35f * grey;
+    for (const Mark& mark : kMarks) {
+      if ((influence.pixels[i] & mark.bit) == 0) continue;
+      for (int c = 0; c < 3; ++c) pixel[c] = mark.color[c] * (0.35f + 0.65f * grey);
+      break;
+    }
+  }
+  return image;
+}
+
+std::string way_text(Language language, const InfluenceWay& way) {
+  std::string path;
+  for (const RayKind kind : way.path)
+    path += fmt::format(
+        "{}{}", path.empty() ? "" : " → ",
+        text_of(language, kind == RayKind::reflected ? Word::ray_reflected : Word::ray_refracted));
+  if (way.longer) path += " → …";
+  const std::string seen =
+      path.empty() ? say(language, Word::way_seen) : say(language, Word::way_by, path);
+  return way.shadow ? say(language, Word::way_shadow, seen) : seen;
+}
+
+constexpr unsigned kAnyBit = 0xFF;
+
+void print_text(const Words& words, const NamedShape& shape, const Influence& influence) {
+  constexpr std::size_t kMostWays = 16;
+  const Language language = *language_named(words.language);
+  const std::uint64_t all = influence.pixels.size(), reached = influence.count(kAnyBit);
+  fmt::print(
+      "{}\n",
+      capitalized(say(
+          language, Word::influence_of, label_of(language, shape), grouped(reached), grouped(all),
+          fmt::format("{:.3g}", 100 * static_cast<double>(reached) / static_cast<double>(all)))));
+  std::uint64_t rest = 0;
+  for (std::size_t i = 0; i < influence.ways.size(); ++i) {
+    if (i < kMostWays)
+      fmt::print("{:>12}  {}\n", grouped(influence.ways[i].pixels),
+                 way_text(language, influence.ways[i]));
+    else
+      rest = std::max(rest, influence.ways[i].pixels);
+  }
+  if (influence.ways.size() > kMostWays)
+    fmt::print("{:>12}  {}\n", "…",
+               say(language, Word::ways_more, influence.ways.size() - kMostWays, grouped(rest)));
+  if (!words.output.empty() && words.output != "-")
+    fmt::print("{}\n", say(language, Word::influence_legend));
+}
+
+void print_json(const NamedShape& shape, const Influence& influence) {
+  nlohmann::ordered_json json = {{"shape", plain_name(shape.id)}};
+  if (!shape.name.empty()) json["name"] = shape.name;
+  json["resolution"] = {influence.width, influence.height};
+  json["pixels"] = {
+      {"any", influence.count(kAnyBit)},         {"seen", influence.count(kSeen)},
+      {"mirrored", influence.count(kMirrored)},  {"through_glass", influence.count(kThroughGlass)},
+      {"both_ways", influence.count(kBothWays)}, {"shadow", influence.count(kShadow)}};
+  json["ways"] = nlohmann::json::array();
+  for (const InfluenceWay& way : influence.ways) {
+    nlohmann::ordered_json path = nlohmann::json::array();
+    for (const RayKind kind : way.path)
+      path.push_back(kind == RayKind::reflected ? "reflected" : "refracted");
+    json["ways"].push_back({{"path", std::move(path)},
+                            {"longer", way.longer},
+                            {"shadow", way.shadow},
+                            {"pixels", way.pixels}});
+  }
+  std::puts(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+}
+
+int run(const Words& words) {
+  const Result<Scene> scene = words.load();
+  if (!scene) return fail(scene.error());
+  std::string name;
+  for (const std::string& word : words.name)
+    name += fmt::format("{}{}", name.empty() ? "" : " ", word);
+  const Result<ShapeId> shape = find_shape(*scene, name);
+  if (!shape) return fail(shape.error());
+  const RenderOptions options = words.options(*scene);
+  const Result<Influence> found = influence(*scene, options, *shape);
+  if (!found) return fail(found.error());
+  if (!words.output.empty()) {
+    const Result<Rendering> rendering = render(*scene, options);
+    if (!rendering) return fail(rendering.error());
+    const Result<void> written =
+        write_png(marked(rendering->image, *found), words.output, {8, Transfer::srgb});
+    if (!written) return fail(written.error());
+    if (words.output == "-") return kDone;
+  }
+  const auto own = scene->names.find(*shape);
+  const NamedShape named{*shape, own == scene->names.end() ? "" : own->second};
+  if (words.format == "json")
+    print_json(named, *found);
+  else
+    print_text(words, named, *found);
+  return kDone;
+}
+
+}  // namespace
+
+CLI::App* add_influence(CLI::App& program, Command& command) {
+  auto words = std::make_shared<Words>();
+  CLI::App* app = program.add_subcommand(
+      "influence",
+      "say which pixels a shape has a part in: seen, mirrored, through glass, by shadow");
+  words->add_to(*app);
+  app->add_option("NAME", words->name,
+                  "the shape: its name in the file, or its kind and number, as in sphere 3")
+      ->required();
+  app->add_option("-o,--output", words->output,
+                  "also write a PNG with these pixels marked; - is standard output, then alone");
+  app->add_option("--format", words->format, "text (default) or json")
+      ->check(CLI::IsMember({"text", "json"}));
+  app->add_option("--lang", words->language, "language of all words: en (default) or hr")
+      ->check(one_of("en or hr",
+                     [](const std::string& word) { return language_named(word).has_value(); }));
+  app->footer(
+      "A shadow counts where the shape is the first that a feeler meets on its way to a light.\n"
+      "Examples:\n"
+      "  zraka influence scenes/lab/input.txt zrcalo\n"
+      "  zraka influence scenes/lab/input.txt sphere 3 -o glass.png\n"
+      "  zraka influence scenes/lab/input.txt sphere 3 --format json | jq .pixels");
+  app->callback([&command, words] { command = [words] { return run(*words); }; });
+  return app;
+}
+
+}  // namespace zraka::app

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which pixels a shape has a part in, and by which kinds of ways.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+#include <zraka/explain.hpp>
+
+namespace zraka {
+
+/// How a shape can reach a pixel; bits of Influence::pixels.
+enum InfluenceBit : std::uint8_t {
+  kSeen = 1,          ///< a ray from the eye meets it
+  kMirrored = 2,      ///< a ray that has been reflected, and not refracted, meets it
+  kThroughGlass = 4,  ///< a ray that has been refracted, and not reflected, meets it
+  kBothWays = 8,      ///< a ray that has been reflected and refracted meets it
+  kShadow = 16        ///< a feeler meets it first: it shadows what some ray of the pixel meets
+};
+
+/// Rays of one kind of way: those that were reflected and refracted in this order.
+struct InfluenceWay {
+  std::vector<RayKind> path;  ///< without the ray from the eye; at most kInfluencePath of them
+  bool longer = false;        ///< the path stands for all that begin like this and go on
+  bool shadow = false;        ///< it is the shape's shadow that is met
+  std::uint64_t pixels = 0;   ///< that are reached this way
+};
+
+inline constexpr std::size_t kInfluencePath = 6;
+
+struct Influence {
+  std::uint32_t width = 0, height = 0;
+  std::vector<std::uint8_t> pixels;  ///< bits of each pixel, row by row from the top
+  std::vector<InfluenceWay> ways;    ///< the most pixels first
+  /// Number of pixels with any of these bits.
+  std::uint64_t count(unsigned bits) const;
+};
+
+/// Traces the whole picture. Fails as render() does, and for a shape that the scene does not have.
+Result<Influence> influence(const Scene& scene, const RenderOptions& options, const ShapeId& shape);
+
+/// The shape that a text names: the name that its file gives it, or "sphere 3" as messages call it
+/// (counted from 1, in any case). Fails with names that it could have been.
+Result<ShapeId> find_shape(const Scene& scene, const std::string& name);
+
+}  // namespace zraka

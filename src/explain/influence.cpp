@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+// Influence: listens to the renderer's steps on every tile, and notes which rays meet one shape.
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <map>
+#include <new>
+#include <zraka/influence.hpp>
+
+#include "engine/tile_order.hpp"
+#include "explain/recording.hpp"
+#include "render/isa.hpp"
+#include "render/prepare.hpp"
+#include "render/tiles.hpp"
+#include "render/workspace.hpp"
+
+namespace zraka {
+namespace {
+
+/// Ways of rays as a tree of their own, so that a ray needs one number for its way.
+class Ways {
+ public:
+  static constexpr std::uint32_t kRoot = 0;
+
+  /// The way of a reflected or refracted ray.
+  std::uint32_t next(std::uint32_t way, RayKind kind) {
+    if (nodes_[way].longer) return way;
+    const bool full = nodes_[way].path.size() == kInfluencePath;
+    const std::size_t branch = full ? 2 : kind == RayKind::reflected ? 0 : 1;
+    if (nodes_[way].next[branch] == 0) {
+      nodes_[way].next[branch] = static_cast<std::uint32_t>(nodes_.size());
+      Node node{nodes_[way].path, full};
+      if (!full) node.path.push_back(kind);
+      nodes_.push_back(std::move(node));
+    }
+    return nodes_[way].next[branch];
+  }
+  const std::vector<RayKind>& path(std::uint32_t way) const { return nodes_[way].path; }
+  bool longer(std::uint32_t way) const { return nodes_[way].longer; }
+
+ private:
+  struct Node {
+    std::vector<RayKind> path;
+    bool longer = false;
+    std::uint32_t next[3] = {};  ///< reflected, refracted, longer; 0: not there yet
+  };
+  std::vector<Node> nodes_{Node{}};
+};
+
+std::uint8_t bit_of(const std::vector<RayKind>& path, bool shadow) {
+  if (shadow) return kShadow;
+  const bool reflected = std::find(path.begin(), path.end(), RayKind::reflected) != path.end();
+  const bool refracted = std::find(path.begin(), path.end(), RayKind::refracted) != path.end();
+  return reflected && refracted ? kBothWays
+         : reflected            ? kMirrored
+         : refracted            ? kThroughGlass
+                                : kSeen;
+}
+
+/// The slot of a shape of a frozen scene.
+std::int32_t slot_of(const FrozenScene<float>& scene, const ShapeId& shape) {
+  std::int32_t slots = 0;
+#define ZRAKA_COUNT(Type, plural) slots += scene.plural.count;
+  ZRAKA_KINDS(ZRAKA_COUNT)
+#undef ZRAKA_COUNT
+  for (std::int32_t slot = 0; slot < slots; ++slot)
+    if (shape_in_slot(scene, slot) == shape) return slot;
+  return -1;
+}
+
+/// One thread's listener and what it has noted.
+class WayReader {
+ public:
+  WayReader(std::int32_t slot, bool corners, std::int32_t batch, int max_depth)
+      : slot_(slot),
+        corners_(corners),
+        workspace_(batch, max_depth),
+        terms_(batch, *this),
+        pixels_(static_cast<std::size_t>(max_depth) + 1),
+        ways_of_rays_(pixels_.size()),
+        ignored_(3 * static_cast<std::size_t>(batch)) {}
+  WayReader(const WayReader&) = delete;
+  WayReader& operator=(const WayReader&) = delete;
+
+  /// Traces a tile of pixels and sets their bits.
+  void read(const FrozenScene<float>& scene, const TraceSettings& settings,
+            RecordTile<float>& record_tile, const TileRect& tile, Influence& influence);
+
+  /// Pixels that are reached by each way, by its path and whether it is a shadow's.
+  using Key = std::tuple<std::vector<RayKind>, bool, bool>;
+  void add_counts_to(std::map<Key, std::uint64_t>& counts) const {
+    for (const auto& [way, count] : counts_)
+      counts[{ways_.path(way / 2), ways_.longer(way / 2), way % 2 == 1}] += count;
+  }
+
+  void at_hits(const Level<float>& level, const Scratch<float>& s);
+  void at_light(std::int32_t light, std::size_t feelers, const Level<float>& level,
+                const Scratch<float>& s);
+  void at_children(const Level<float>& level, const Level<float>& next);
+  void at_fold(const Level<float>&) {}
+
+ private:
+  std::size_t depth_of(const Level<float>& level) {
+    return static_cast<std::size_t>(&level - workspace_.workspace().levels);
+  }
+  void note(std::size_t depth, std::size_t ray, bool shadow);
+  void leave_each_once() {
+    std::sort(notes_.begin(), notes_.end());
+    notes_.erase(std::unique(notes_.begin(), notes_.end()), notes_.end());
+  }
+
+  std::int32_t slot_;
+  bool corners_;
+  WorkspaceMemory<float> workspace_;
+  RecordedTerms terms_;
+  Ways ways_;
+  /// By level and ray: which ray of the tile it comes from, and by which way.
+  std::vector<std::vector<std::uint32_t>> pixels_, ways_of_rays_;
+  std::vector<float> ignored_;
+  TileRect tile_{};                   ///< of pixels
+  std::vector<TileRect> ray_places_;  ///< the pixels, in the tile, that a ray of level 0 belongs to
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> notes_;  ///< (2·way + shadow, pixel in tile)
+  std::map<std::uint32_t, std::uint64_t> counts_;               ///< pixels by 2·way + shadow
+};
+
+void WayReader::note(std::size_t depth, std::size_t ray, bool shadow) {
+  constexpr std::size_t kMany = std::size_t{1} << 20;
+  const TileRect& of = ray_places_[pixels_[depth][ray]];
+  const std::uint32_t way = 2 * ways_of_rays_[depth][ray] + (shadow ? 1 : 0);
+  for (std::int32_t y = of.y; y < of.y + of.height; ++y)
+    for (std::int32_t x = of.x; x < of.x + of.width; ++x)
+      notes_.push_back({way, static_cast<std::uint32_t>(y * tile_.width + x)});
+  if (notes_.size() > kMany) leave_each_once();
+}
+
+void WayReader::at_hits(const Level<float>& level, const Scratch<float>& s) {
+  const auto begin = static_cast<std::size_t>(level.done);
+  for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
+    const auto ray = static_cast<std::size_t>(level.hits.ray[h]);
+    if (s.slot[ray] == slot_) note(depth_of(level), begin + ray, false);
+  }
+}
+
+void WayReader::at_light(std::int32_t, std::size_t feelers, const Level<float>& level,
+                         const Scratch<float>& s) {
+  const auto begin = static_cast<std::size_t>(level.done);
+  for (std::size_t i = 0; i < feelers; ++i) {
+    const auto h = static_cast<std::size_t>(s.feeler_hit[i]);
+    if (s.lit[h] > 0 || terms_.blocker(i, s) != slot_) continue;
+    note(depth_of(level), begin + static_cast<std::size_t>(level.hits.ray[h]), true);
+  }
+}
+
+void WayReader::at_children(const Level<float>& level, const Level<float>& next) {
+  const std::size_t depth = depth_of(level);
+  const auto begin = static_cast<std::size_t>(level.done);
+  pixels_[depth + 1].resize(static_cast<std::size_t>(next.ray_count));
+  ways_of_rays_[depth + 1].resize(static_cast<std::size_t>(next.ray_count));
+  const auto take = [&](std::size_t h, std::int32_t place, RayKind kind) {
+    if (place < 0) return;
+    const std::size_t parent = begin + static_cast<std::size_t>(level.hits.ray[h]);
+    const auto child = static_cast<std::size_t>(place);
+    pixels_[depth + 1][child] = pixels_[depth][parent];
+    ways_of_rays_[depth + 1][child] = ways_.next(ways_of_rays_[depth][parent], kind);
+  };
+  for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
+    take(h, level.hits.reflected[h], RayKind::reflected);
+    take(h, level.hits.refracted[h], RayKind::refracted);
+  }
+}
+
+void WayReader::read(const FrozenScene<float>& scene, const TraceSettings& settings,
+                     RecordTile<float>& record_tile, const TileRect& tile, Influence& influence) {
+  tile_ = tile;
+  const std::int32_t more = corners_ ? 1 : 0;
+  const TileRect rays{tile.x, tile.y, tile.width + more, tile.height + more};
+  ray_places_.clear();
+  each_pixel(rays, [&](std::int32_t x, std::int32_t y) {
+    // A corner belongs to the pixels right and below, left and above of it.
+    const std::int32_t left = std::max(0, x - more), top = std::max(0, y - more);
+    ray_places_.push_back({left, top, std::min(x, tile.width - 1) - left + 1,
+                           std::min(y, tile.height - 1) - top + 1});
+  });
+  pixels_[0].resize(ray_places_.size());
+  for (std::size_t i = 0; i < pixels_[0].size(); ++i) pixels_[0][i] = static_cast<std::uint32_t>(i);
+  ways_of_rays_[0].assign(ray_places_.size(), Ways::kRoot);
+
+  RayCounts counts;
+  record_tile(scene, settings, rays, workspace_.workspace(), counts, ignored_.data(),
+              static_cast<std::size_t>(rays.width), terms_.recording());
+  leave_each_once();
+  for (const auto& [way, pixel] : notes_) {
+    ++counts_[way];
+    const auto width = static_cast<std::uint32_t>(tile.width);
+    const std::size_t x = static_cast<std::size_t>(tile.x) + pixel % width;
+    const std::size_t y = static_cast<std::size_t>(tile.y) + pixel / width;
+    influence.pixels[y * influence.width + x] |= bit_of(ways_.path(way / 2), way % 2 == 1);
+  }
+  notes_.clear();
+}
+
+}  // namespace
+
+std::uint64_t Influence::count(unsigned bits) const {
+  return static_cast<std::uint64_t>(std::count_if(
+      pixels.begin(), pixels.end(), [&](std::uint8_t pixel) { return (pixel & bits) != 0; }));
+}
+
+Result<Influence> influence(const Scene& scene, const RenderOptions& options,
+                            const ShapeId& shape) {
+  Diagnostics problems = check_request(scene, options);
+  if (!problems.empty()) return tl::make_unexpected(std::move(problems));
+  const Result<Isa> isa = choose_isa(options.isa);
+  if (!isa) return tl::make_unexpected(isa.error());
+  if (*isa == Isa::oracle)
+    return failure("", "the oracle's rays are not a picture's", "ask for avx512, avx2 or portable");
+  try {
+    const PreparedScene<float> prepared = prepare<float>(scene, options.profile);
+    const FrozenScene<float>& frozen = prepared.store->scene;
+    const std::int32_t slot = slot_of(frozen, shape);
+    if (slot < 0) return failure("", "the scene does not have this shape");
+
+    Influence found;
+    found.width = scene.resolution.width;
+    found.height = scene.resolution.height;
+    found.pixels.resize(std::size_t{found.width} * found.height);
+    const int tile = options.tile == 0 ? kDefaultTile : options.tile;
+    const int threads = options.threads == 0 ? tbb::info::default_concurrency() : options.threads;
+    const bool corners = options.profile.average_corners;
+    const std::int32_t side = tile + (corners ? 1 : 0);
+    const TraceSettings settings = settings_of(options);
+    RecordTile<float>& record_tile = record_tile_of(*isa);
+    tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                              static_cast<std::size_t>(threads));
+    tbb::enumerable_thread_specific<std::unique_ptr<WayReader>> readers([&] {
+      return std::make_unique<WayReader>(slot, corners, side * side, settings.max_depth);
+    });
+    const bool complete = each_tile(
+        found.width, found.height, tile, threads, options.cancel, [&](const TileRect& rect) {
+          readers.local()->read(frozen, settings, record_tile, rect, found);
+        });
+    if (!complete) return failure("", "the search was cancelled");
+
+    std::map<WayReader::Key, std::uint64_t> counts;
+    for (const std::unique_ptr<WayReader>& reader : readers) reader->add_counts_to(counts);
+    for (const auto& [key, pixels] : counts)
+      found.ways.push_back({std::get<0>(key), std::get<1>(key), std::get<2>(key), pixels});
+    std::stable_sort(
+        found.ways.begin(), found.ways.end(),
+        [](const InfluenceWay& a, const InfluenceWay& b) { return a.pixels > b.pixels; });
+    return found;
+  } catch (const std::bad_alloc&) {
+    return failure(
+        "", fmt::format("not enough memory for a picture of {}×{} pixels and {} shapes",
+                        scene.resolution.width, scene.resolution.height, scene.shape_count()));
+  }
+}
+
+}  // namespace zraka

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// A pixel's rays as lines in the world, to be drawn.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+#include <zraka/explain.hpp>
+
+namespace zraka {
+
+enum class SegmentKind { camera, reflected, refracted, feeler_lit, feeler_blocked };
+inline constexpr std::array<std::string_view, 5> kSegmentNames = {
+    "camera", "reflected", "refracted", "feeler-lit", "feeler-blocked"};
+
+struct Segment {
+  SegmentKind kind = SegmentKind::camera;
+  Vec3 from, to;
+  bool endless = false;  ///< it goes on beyond `to`
+  std::size_t tree = 0, ray = 0;
+  std::size_t light = 0;  ///< of a feeler
+};
+
+/// Rays up to what they meet; feelers up to their light or to what blocks them. What meets nothing
+/// is as long as half of what the tree spans, and feelers to lights from far away end after eight
+/// times that span.
+std::vector<Segment> segments_of(const Scene& scene, const Explanation& explanation);
+
+}  // namespace zraka
