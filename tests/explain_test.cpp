@@ -157,20 +157,17 @@ TEST(Explain, PrintsFactorsOfItsTerms) {
   }
 }
 
-TEST(Explain, IsTheSameWithEveryInstructionSet) {
-  for (const NamedScene& named : test_scenes(40)) {
-    std::string want;
+TEST(Explain, IsOfThePictureOfEveryInstructionSet) {
+  for (const NamedScene& named : test_scenes(40))
     for (const Isa isa : available_isas()) {
       RenderOptions options = with(ProfileName::physical);
       options.isa = isa;
+      const Image image = render(named.scene, options).value().image;
       Explainer explainer = Explainer::create(named.scene, options).value();
-      std::string all;
-      for (std::uint32_t i = 0; i < 40; ++i)
-        all += to_json(explainer.pixel(i, i / 2).value(), named.name, "", "");
-      if (want.empty()) want = all;
-      EXPECT_EQ(all, want) << named.name << ", " << name_of(isa);
+      for (std::uint32_t i = 0; i < image.width; ++i)
+        EXPECT_TRUE(same_bits(explainer.pixel(i, i / 2).value().color, image.row(i / 2) + 3 * i))
+            << named.name << ", " << name_of(isa);
     }
-  }
 }
 
 TEST(Explain, FollowsItsOwnTree) {

@@ -10,6 +10,7 @@
 #include "core/text.hpp"
 #include "core/words.hpp"
 #include "explain/json.hpp"
+#include "explain/page.hpp"
 #include "explain/rays_file.hpp"
 #include "explain/segments.hpp"
 #include "explain/sentence.hpp"
@@ -59,31 +60,46 @@ Result<void> write_rays(const Words& words, const Scene& scene, const Explanatio
           : rays_as_gltf(segments));
 }
 
+/// The explanation in the format that is asked for.
+Result<std::string> text_for(const Words& words, Scene& scene, const RenderOptions& options,
+                             Explainer& explainer, const Explanation& explanation) {
+  constexpr std::uint32_t kNeighbours = 15;
+  const Language language = *language_named(words.language);
+  const ProfileName profile = words.profile_name(scene);
+  const std::string format = format_of(words);
+  if (format == "json")
+    return to_json(explanation, words.scene, std::string(name_of(profile)),
+                   in_words(language, explanation));
+  if (format == "text")
+    return to_text(explanation, {.language = language,
+                                 .color = words.output == "-" && output_in_color(),
+                                 .scene = words.scene,
+                                 .profile = profile});
+  PagePictures pictures{{}, explainer.around(explanation.x, explanation.y, kNeighbours)};
+  Result<Image> picture = picture_for_page(scene, options);
+  if (!picture) return tl::make_unexpected(picture.error());
+  pictures.picture = std::move(*picture);
+  return to_page(scene, explanation, pictures,
+                 {.language = language, .scene = words.scene, .profile = profile});
+}
+
 int run(const Words& words) {
-  const Result<Scene> scene = words.load();
+  Result<Scene> scene = words.load();
   if (!scene) return fail(scene.error());
   RenderOptions options = words.options(*scene);
   options.terms = terms_of(*stage_named(words.stage));
+  Result<Explainer> explainer = Explainer::create(*scene, options);
+  if (!explainer) return fail(explainer.error());
   const Result<Explanation> explanation =
-      explain(*scene, options, *coordinate(words.x), *coordinate(words.y));
+      explainer->pixel(*coordinate(words.x), *coordinate(words.y));
   if (!explanation) return fail(explanation.error());
-
+  const Result<std::string> text = text_for(words, *scene, options, *explainer, *explanation);
+  if (!text) return fail(text.error());
   if (!words.rays.empty()) {
     const Result<void> written = write_rays(words, *scene, *explanation);
     if (!written) return fail(written.error());
   }
-  const Language language = *language_named(words.language);
-  const ProfileName profile = words.profile_name(*scene);
-  std::string text;
-  if (format_of(words) == "json")
-    text = to_json(*explanation, words.scene, std::string(name_of(profile)),
-                   in_words(language, *explanation));
-  else
-    text = to_text(*explanation, {.language = language,
-                                  .color = words.output == "-" && output_in_color(),
-                                  .scene = words.scene,
-                                  .profile = profile});
-  const Result<void> written = write_text_file(words.output, text);
+  const Result<void> written = write_text_file(words.output, *text);
   return written ? +kDone : fail(written.error());
 }
 
@@ -104,8 +120,8 @@ CLI::App* add_explain(CLI::App& program, Command& command) {
   app->add_option("-o,--output", words->output,
                   "the file to write; - (default) is standard output");
   app->add_option("--format", words->format,
-                  "text or json; else by the name of the output, else text")
-      ->check(CLI::IsMember({"text", "json"}));
+                  "text, json or html; else by the name of the output, else text")
+      ->check(CLI::IsMember({"text", "json", "html"}));
   app->add_option("--lang", words->language, "language of all words: en (default) or hr")
       ->check(one_of("en or hr",
                      [](const std::string& word) { return language_named(word).has_value(); }));
@@ -121,7 +137,7 @@ CLI::App* add_explain(CLI::App& program, Command& command) {
       "  zraka explain scenes/lab/input.txt 110 160\n"
       "  zraka explain input.txt 250 300 --stage shadows --lang hr\n"
       "  zraka explain input.txt 250 300 --format json | jq .tree.hit.lights\n"
-      "  zraka explain input.txt 250 300 --rays rays.gltf");
+      "  zraka explain input.txt 250 300 -o pixel.html --rays rays.gltf");
   app->callback([&command, words] { command = [words] { return run(*words); }; });
   return app;
 }

@@ -131,6 +131,12 @@ struct Explanation {
   Float3 color{};  ///< the picture's, to the bit
 };
 
+/// Pixels around one, as the picture has them.
+struct Neighbourhood {
+  std::uint32_t left = 0, top = 0;  ///< place in the picture of its upper left pixel
+  Image image;
+};
+
 /// Explains pixels of one scene. The scene must outlive it.
 class Explainer {
  public:
@@ -144,6 +150,10 @@ class Explainer {
   /// Column x, row y from the picture's upper left corner. Fails outside of the picture, and where
   /// a tree has more rays or terms than kMaxExplainedRays and kMaxExplainedTerms.
   Result<Explanation> pixel(std::uint32_t x, std::uint32_t y);
+
+  /// A square of at most side×side pixels, 1 ≤ side < kMaxTile, around a pixel of the picture, in its
+  /// middle where the picture's edges leave room.
+  Neighbourhood around(std::uint32_t x, std::uint32_t y, std::uint32_t side);
 
  private:
   struct Impl;

@@ -17,30 +17,6 @@ constexpr std::string_view kPage =
 #include "compare/page.html.inc"
     ;
 
-/// Text as it stands in a page; what is no character is replaced.
-std::string html(std::string_view text) {
-  std::string out;
-  for (const char c : is_utf8(text) ? std::string(text) : shown(text)) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
 Result<std::string> data_uri(const Image& shown_image) {
   const Result<std::string> png = encode_png(shown_image);
   if (!png) return png;
@@ -79,7 +55,7 @@ std::string data_for_script(const Comparison& c, double brightest) {
 std::string table_of(const Comparison& c, const std::string& a_name, const std::string& b_name) {
   std::string rows;
   for (const auto& [label, value] : measure_lines(c, a_name, b_name))
-    rows += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", html(label), html(value));
+    rows += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", html_text(label), html_text(value));
   return rows;
 }
 
@@ -104,12 +80,12 @@ Result<std::string> comparison_page(const Comparison& c, const std::string& a_na
   if (good) good = add_picture("flip_src", grey_picture(c.flip.map, width, height, 1));
   if (!good) return tl::make_unexpected(good.error());
 
-  parts["title"] = html(fmt::format("{} against {}", b_name, a_name));
-  parts["heading"] = html(fmt::format("{} against {}", b_name, a_name));
-  parts["verdict"] = html(verdict_on(c));
+  parts["title"] = html_text(fmt::format("{} against {}", b_name, a_name));
+  parts["heading"] = html_text(fmt::format("{} against {}", b_name, a_name));
+  parts["verdict"] = html_text(verdict_on(c));
   parts["verdict_class"] = c.within ? "good" : "bad";
-  parts["a_name"] = html(a_name);
-  parts["b_name"] = html(b_name);
+  parts["a_name"] = html_text(a_name);
+  parts["b_name"] = html_text(b_name);
   parts["numbers"] = table_of(c, a_name, b_name);
   parts["values_note"] = c.floats || c.bits != 8
                              ? "Values are those that the screen is given, rounded to 8 bits."

@@ -184,6 +184,29 @@ std::string shown(std::string_view text) {
   return line;
 }
 
+std::string html_text(std::string_view text) {
+  std::string out;
+  for (const char c : is_utf8(text) ? std::string(text) : shown(text)) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
 std::string grouped(unsigned long long number) {
   const std::string digits = std::to_string(number);
   std::string text;

@@ -48,6 +48,9 @@ class Places {
 /// Text as it can be shown on one line: as excerpt() does it, cut after 60 characters.
 std::string shown(std::string_view text);
 
+/// Text as it stands in an HTML page; what is no character is replaced.
+std::string html_text(std::string_view text);
+
 /// 1234567 as "1 234 567".
 std::string grouped(unsigned long long number);
 

@@ -141,22 +141,19 @@ using RecordTile = void(const FrozenScene<R>& scene, const TraceSettings& settin
                         const TileRect& tile, Workspace<R>& workspace, RayCounts& counts,
                         float* pixels, std::size_t stride, Recording<R>& recording);
 
-// Defined by kernel.cpp and record_kernel.cpp, once per instruction set that the build has.
+// Defined by kernel.cpp, once per instruction set that the build has; and by record_kernel.cpp.
 namespace isa_avx512 {
 extern const Kernel<float> kKernel;
-RecordTile<float> record_tile;
-}  // namespace isa_avx512
+}
 namespace isa_avx2 {
 extern const Kernel<float> kKernel;
-RecordTile<float> record_tile;
-}  // namespace isa_avx2
+}
 namespace isa_portable {
 extern const Kernel<float> kKernel;
 RecordTile<float> record_tile;
 }  // namespace isa_portable
 namespace isa_oracle {
 extern const Kernel<double> kKernel;
-RecordTile<double> record_tile;
-}  // namespace isa_oracle
+}
 
 }  // namespace zraka

@@ -20,7 +20,7 @@ struct Stand {
   RenderOptions options;
   TraceSettings settings;
   PreparedScene<float> prepared;
-  RecordTile<float>* record_tile;
+  const Kernel<float>* kernel;
 
   const FrozenScene<float>& frozen() const { return prepared.store->scene; }
   NamedShape named(std::int32_t slot) const {
@@ -60,8 +60,8 @@ class TreeReader {
   bool read(const TileRect& pixel) {
     RayCounts counts;
     Float3 ignored{};
-    stand_.record_tile(stand_.frozen(), stand_.settings, pixel, workspace_.workspace(), counts,
-                       ignored.data(), 1, terms_.recording());
+    record_tile()(stand_.frozen(), stand_.settings, pixel, workspace_.workspace(), counts,
+                  ignored.data(), 1, terms_.recording());
     return !terms_.recording().stop;
   }
   RayTree& tree() { return tree_; }
@@ -319,7 +319,7 @@ Result<Explainer> Explainer::create(const Scene& scene, const RenderOptions& opt
   try {
     return Explainer(std::unique_ptr<Impl>(
         new Impl{{scene, options, settings_of(options), prepare<float>(scene, options.profile),
-                  &record_tile_of(*isa)}}));
+                  &kernel_of(*isa)}}));
   } catch (const std::bad_alloc&) {
     return failure("", fmt::format("not enough memory for {} shapes", scene.shape_count()));
   }
@@ -340,6 +340,27 @@ Result<Explanation> Explainer::pixel(std::uint32_t x, std::uint32_t y) {
     return failure("", fmt::format("not enough memory for the ray tree of pixel ({}, {})", x, y),
                    "ask for fewer levels with a smaller depth");
   }
+}
+
+Neighbourhood Explainer::around(std::uint32_t x, std::uint32_t y, std::uint32_t side) {
+  const Stand& stand = impl_->stand;
+  const Resolution size = stand.scene.resolution;
+  const auto start = [&](std::uint32_t at, std::uint32_t all) {
+    const std::uint32_t room = std::min(side, all);
+    return std::min(at > room / 2 ? at - room / 2 : 0, all - room);
+  };
+  const std::uint32_t corner = stand.options.profile.average_corners ? 1 : 0;
+  Neighbourhood found{start(x, size.width), start(y, size.height), {}};
+  Image rays(std::min(side, size.width) + corner, std::min(side, size.height) + corner);
+  const TileRect tile{static_cast<std::int32_t>(found.left), static_cast<std::int32_t>(found.top),
+                      static_cast<std::int32_t>(rays.width),
+                      static_cast<std::int32_t>(rays.height)};
+  WorkspaceMemory<float> workspace(tile.width * tile.height, stand.settings.max_depth);
+  RayCounts counts;
+  stand.kernel->trace_tile(stand.frozen(), stand.settings, tile, workspace.workspace(), counts,
+                           rays.pixels.data(), rays.width);
+  found.image = corner == 0 ? std::move(rays) : means_of_corners(rays);
+  return found;
 }
 
 Result<Explanation> explain(const Scene& scene, const RenderOptions& options, std::uint32_t x,

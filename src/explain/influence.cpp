@@ -86,8 +86,8 @@ class WayReader {
   WayReader& operator=(const WayReader&) = delete;
 
   /// Traces a tile of pixels and sets their bits.
-  void read(const FrozenScene<float>& scene, const TraceSettings& settings,
-            RecordTile<float>& record_tile, const TileRect& tile, Influence& influence);
+  void read(const FrozenScene<float>& scene, const TraceSettings& settings, const TileRect& tile,
+            Influence& influence);
 
   /// Pixels that are reached by each way, by its path and whether it is a shadow's.
   using Key = std::tuple<std::vector<RayKind>, bool, bool>;
@@ -173,7 +173,7 @@ void WayReader::at_children(const Level<float>& level, const Level<float>& next)
 }
 
 void WayReader::read(const FrozenScene<float>& scene, const TraceSettings& settings,
-                     RecordTile<float>& record_tile, const TileRect& tile, Influence& influence) {
+                     const TileRect& tile, Influence& influence) {
   tile_ = tile;
   const std::int32_t more = corners_ ? 1 : 0;
   const TileRect rays{tile.x, tile.y, tile.width + more, tile.height + more};
@@ -189,8 +189,8 @@ void WayReader::read(const FrozenScene<float>& scene, const TraceSettings& setti
   ways_of_rays_[0].assign(ray_places_.size(), Ways::kRoot);
 
   RayCounts counts;
-  record_tile(scene, settings, rays, workspace_.workspace(), counts, ignored_.data(),
-              static_cast<std::size_t>(rays.width), terms_.recording());
+  record_tile()(scene, settings, rays, workspace_.workspace(), counts, ignored_.data(),
+                static_cast<std::size_t>(rays.width), terms_.recording());
   leave_each_once();
   for (const auto& [way, pixel] : notes_) {
     ++counts_[way];
@@ -232,16 +232,14 @@ Result<Influence> influence(const Scene& scene, const RenderOptions& options,
     const bool corners = options.profile.average_corners;
     const std::int32_t side = tile + (corners ? 1 : 0);
     const TraceSettings settings = settings_of(options);
-    RecordTile<float>& record_tile = record_tile_of(*isa);
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                               static_cast<std::size_t>(threads));
     tbb::enumerable_thread_specific<std::unique_ptr<WayReader>> readers([&] {
       return std::make_unique<WayReader>(slot, corners, side * side, settings.max_depth);
     });
     const bool complete = each_tile(
-        found.width, found.height, tile, threads, options.cancel, [&](const TileRect& rect) {
-          readers.local()->read(frozen, settings, record_tile, rect, found);
-        });
+        found.width, found.height, tile, threads, options.cancel,
+        [&](const TileRect& rect) { readers.local()->read(frozen, settings, rect, found); });
     if (!complete) return failure("", "the search was cancelled");
 
     std::map<WayReader::Key, std::uint64_t> counts;

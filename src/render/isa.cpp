@@ -87,11 +87,7 @@ const Kernel<float>& kernel_of([[maybe_unused]] Isa isa) {
   return isa_portable::kKernel;
 }
 
-RecordTile<float>& record_tile_of([[maybe_unused]] Isa isa) {
-#if defined(ZRAKA_HAVE_X86)
-  if (isa == Isa::avx512) return isa_avx512::record_tile;
-  if (isa == Isa::avx2) return isa_avx2::record_tile;
-#endif
+RecordTile<float>& record_tile() {
   return isa_portable::record_tile;
 }
 

@@ -14,6 +14,7 @@ Result<Isa> choose_isa(std::optional<Isa> wanted);
 
 /// The engine for an available instruction set; not for Isa::oracle.
 const Kernel<float>& kernel_of(Isa isa);
-RecordTile<float>& record_tile_of(Isa isa);
+/// The engine that tells its terms; its bits are those of all sets.
+RecordTile<float>& record_tile();
 
 }  // namespace zraka

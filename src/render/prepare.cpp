@@ -71,4 +71,15 @@ template PreparedScene<double> prepare<double>(const Scene&, const Profile&);
 template PreparedScene<float> prepare<float>(Scene&&, const Profile&);
 template PreparedScene<double> prepare<double>(Scene&&, const Profile&);
 
+Image means_of_corners(const Image& corners) {
+  Image image(corners.width - 1, corners.height - 1);
+  for (std::uint32_t y = 0; y < image.height; ++y) {
+    const float *above = corners.row(y), *below = corners.row(y + 1);
+    float* out = image.row(y);
+    for (std::size_t i = 0; i < std::size_t{3} * image.width; ++i)
+      out[i] = mean_of_corners(above[i], above[i + 3], below[i], below[i + 3]);
+  }
+  return image;
+}
+
 }  // namespace zraka

@@ -80,18 +80,6 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   return complete;
 }
 
-/// Pixels of one column and one row less, each the mean of the four around it.
-Image means_of_corners(const Image& corners) {
-  Image image(corners.width - 1, corners.height - 1);
-  for (std::uint32_t y = 0; y < image.height; ++y) {
-    const float *above = corners.row(y), *below = corners.row(y + 1);
-    float* out = image.row(y);
-    for (std::size_t i = 0; i < std::size_t{3} * image.width; ++i)
-      out[i] = mean_of_corners(above[i], above[i + 3], below[i], below[i + 3]);
-  }
-  return image;
-}
-
 template <class SceneRef>
 Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options) {
   Diagnostics problems = check_request(scene, options);
