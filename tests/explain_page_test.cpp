@@ -26,9 +26,10 @@ RenderOptions with(ProfileName profile, Stage stage = Stage::refraction) {
 }
 
 std::string between(const std::string& text, const std::string& start, const std::string& end) {
-  const std::size_t from = text.find(start);
-  if (from == std::string::npos) return "";
-  return text.substr(from + start.size(), text.find(end, from) - from - start.size());
+  const std::size_t at = text.find(start);
+  if (at == std::string::npos) return "";
+  const std::size_t from = at + start.size();
+  return text.substr(from, text.find(end, from) - from);
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
