@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <zraka/mistakes.hpp>
 #include <zraka/render.hpp>
 
 #include "scene/frozen.hpp"
@@ -17,6 +18,9 @@ struct TraceSettings {
   int max_depth = 4;
   bool clamp_levels = false;
   bool mirror_when_total = true;
+  /// For kernels that can make mistakes.
+  Mistake mistake = Mistake::none;
+  float unit = 1;  ///< length of the engine's unit in the scene's
 };
 
 /// A rectangle of pixels: columns [x, x + width), rows [y, y + height).
@@ -151,6 +155,7 @@ extern const Kernel<float> kKernel;
 namespace isa_portable {
 extern const Kernel<float> kKernel;
 RecordTile<float> record_tile;
+extern const Kernel<float> kMistakenKernel;
 }  // namespace isa_portable
 namespace isa_oracle {
 extern const Kernel<double> kKernel;

@@ -5,6 +5,7 @@
 #include "accel/traverse.hpp"
 #include "engine/engine.hpp"
 #include "engine/places.hpp"
+#include "engine/rules.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -19,8 +20,9 @@ ZRAKA_INLINE RayLanes<L> load_rays(const RayArrays<R>& rays, std::size_t i) {
 
 /// Finds what each ray of the batch meets, lists those that meet something in hits.ray, and gives
 /// the others the background's colour.
-template <class L, class R = typename L::Real>
-void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scratch) {
+template <class L, class R = typename L::Real, class Ruling = Rules>
+void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scratch,
+                   const Ruling& rules = {}) {
   using F = typename L::F;
   using I = typename L::I;
   const auto begin = static_cast<std::size_t>(level.done);
@@ -29,7 +31,7 @@ void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scr
   for (std::size_t i = 0; i < n; i += L::kWidth) {
     RayLanes<L> ray = load_rays<L>(level.rays, begin + i);
     const auto active = L::first(n - i);
-    find_nearest<L>(scene, active, ray);
+    rules.template find_nearest<L>(scene, active, ray);
     const auto met = both(ray.slot >= I(0), active);
     L::store(ray.t, scratch.t + i);
     L::store(ray.slot, scratch.slot + i);
@@ -72,8 +74,9 @@ ZRAKA_INLINE void surface_of(const FrozenShapes<typename L::Real, Shape>& shapes
 }
 
 /// Point, normal towards the viewer, and material of each hit.
-template <class L, class R = typename L::Real>
-void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R>& scratch) {
+template <class L, class R = typename L::Real, class Ruling = Rules>
+void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R>& scratch,
+                   const Ruling& rules = {}) {
   using F = typename L::F;
   using I = typename L::I;
   const auto n = static_cast<std::size_t>(level.hit_count);
@@ -96,9 +99,7 @@ void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R
 
     // The normal is turned to the side that the ray comes from (sheet 3.7).
     const auto inside = surface.inside;
-    const V3<F> n_out = surface.normal;
-    const V3<F> n_view{select(inside, -n_out.x, n_out.x), select(inside, -n_out.y, n_out.y),
-                       select(inside, -n_out.z, n_out.z)};
+    const V3<F> n_view = rules.seen_normal(surface.normal, inside);
     L::store(surface.point.x, scratch.px + h);
     L::store(surface.point.y, scratch.py + h);
     L::store(surface.point.z, scratch.pz + h);
@@ -108,7 +109,7 @@ void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R
     L::store(-direction.x, scratch.vx + h);
     L::store(-direction.y, scratch.vy + h);
     L::store(-direction.z, scratch.vz + h);
-    L::store(surface.offset, scratch.offset + h);
+    L::store(rules.offset(surface.offset), scratch.offset + h);
     L::store(select(inside, F(1), F(0)), scratch.inside + h);
     L::store(material, scratch.material + h);
   }

@@ -7,7 +7,7 @@
 #include "engine/engine.hpp"
 #include "engine/places.hpp"
 #include "engine/record.hpp"
-#include "math/power.hpp"
+#include "engine/rules.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -47,15 +47,15 @@ struct ToLight {
   typename L::F distance;
 };
 
-template <class L, class R = typename L::Real>
+template <class L, class R = typename L::Real, class Ruling = Rules>
 ZRAKA_INLINE ToLight<L> towards(const FrozenLight<R>& light, const Scratch<R>& scratch,
-                                std::size_t h) {
+                                std::size_t h, const Ruling& rules) {
   using F = typename L::F;
   const V3<F> way =
       broadcast<L>(light.position) -
       V3<F>{L::load(scratch.px + h), L::load(scratch.py + h), L::load(scratch.pz + h)};
   const F distance = sqrt(dot(way, way));
-  return {way * (F(1) / distance), distance};
+  return {rules.light_direction(way * (F(1) / distance), distance), distance};
 }
 
 template <class L, class R = typename L::Real>
@@ -64,16 +64,16 @@ ZRAKA_INLINE V3<typename L::F> load_normal(const Scratch<R>& scratch, std::size_
 }
 
 /// Feelers from the hits that face the light; scratch.lit says which hits face it.
-template <class L, class R = typename L::Real, class Recorder = NoRecord>
+template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
 std::size_t make_feelers(const FrozenLight<R>& light, std::size_t n, Scratch<R>& scratch,
-                         const Recorder& record = {}) {
+                         const Recorder& record = {}, const Ruling& rules = {}) {
   using F = typename L::F;
   std::size_t feelers = 0;
   for (std::size_t h = 0; h < n; h += L::kWidth) {
     const V3<F> normal = load_normal<L>(scratch, h);
-    const ToLight<L> light_way = towards<L>(light, scratch, h);
+    const ToLight<L> light_way = towards<L>(light, scratch, h, rules);
     const F l_n = dot(light_way.direction, normal);
-    const auto facing = both(l_n >= F(0), L::first(n - h));
+    const auto facing = both(rules.faces(l_n), L::first(n - h));
     record.keep(Term::to_light, h, light_way.direction);
     record.keep(Term::light_distance, h, light_way.distance);
     record.keep(Term::l_n, h, l_n);
@@ -85,7 +85,7 @@ std::size_t make_feelers(const FrozenLight<R>& light, std::size_t n, Scratch<R>&
     L::compress_store(light_way.direction.x, facing, scratch.fdx + feelers);
     L::compress_store(light_way.direction.y, facing, scratch.fdy + feelers);
     L::compress_store(light_way.direction.z, facing, scratch.fdz + feelers);
-    L::compress_store(light_way.distance, facing, scratch.fdistance + feelers);
+    L::compress_store(rules.feeler_length(light_way.distance), facing, scratch.fdistance + feelers);
     L::compress_store(L::iota(static_cast<std::int32_t>(h)), facing, scratch.feeler_hit + feelers);
     feelers += count(facing);
   }
@@ -109,36 +109,44 @@ void trace_feelers(const FrozenScene<R>& scene, std::size_t feelers, Scratch<R>&
 }
 
 /// Adds one light's diffuse and specular terms to the hits that it reaches.
-template <class L, class R = typename L::Real, class Recorder = NoRecord>
+template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
 void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const Terms& terms,
-               Level<R>& level, const Scratch<R>& scratch, const Recorder& record = {}) {
+               Level<R>& level, const Scratch<R>& scratch, const Recorder& record = {},
+               const Ruling& rules = {}) {
   using F = typename L::F;
   const auto n = static_cast<std::size_t>(level.hit_count);
   const V3<F> intensity = broadcast<L>(light.color);
   for (std::size_t h = 0; h < n; h += L::kWidth) {
-    const auto lit = both(L::load(scratch.lit + h) > F(0), L::first(n - h));
-    if (!any(lit)) continue;
+    const auto exists = L::first(n - h);
+    const auto lit = both(L::load(scratch.lit + h) > F(0), exists);
+    if (!any(lit) && !rules.looks_into_shadows()) continue;
     const auto material = load_materials<L>(scene.materials, scratch, h, n);
     const V3<F> normal = load_normal<L>(scratch, h);
-    const V3<F> l = towards<L>(light, scratch, h).direction;
+    const V3<F> l = towards<L>(light, scratch, h, rules).direction;
     const F l_n = dot(l, normal);
-    V3<F> sum{L::load(level.hits.r + h), L::load(level.hits.g + h), L::load(level.hits.b + h)};
+    const auto blocked = but_not(both(rules.faces(l_n), exists), lit);
+    V3<F> sum = rules.local_in_shadow(
+        V3<F>{L::load(level.hits.r + h), L::load(level.hits.g + h), L::load(level.hits.b + h)},
+        blocked);
     if (terms.diffuse) {
-      const V3<F> diffuse = intensity * material.color(kDiffuse) * l_n;
+      const V3<F> diffuse = intensity * material.color(kDiffuse) * rules.diffuse_factor(l_n);
       record.keep(Term::diffuse, h, diffuse);
       const V3<F> more = sum + diffuse;
       sum = {select(lit, more.x, sum.x), select(lit, more.y, sum.y), select(lit, more.z, sum.z)};
     }
     if (terms.specular) {
       const V3<F> v{L::load(scratch.vx + h), L::load(scratch.vy + h), L::load(scratch.vz + h)};
-      const V3<F> r = normal * (l_n + l_n) - l;  // the mirror of L about N
-      const F r_v = dot(r, v);
-      const auto shines = both(lit, r_v >= F(0));
+      const V3<F> r = rules.mirrored(l, normal, l_n);
+      const F r_v = rules.r_v(r, v, l, normal, [&] {
+        const auto first = typename L::I(level.hits.ray[h]);
+        return Places<L>(select(exists, L::load(level.hits.ray + h), first)).load(scratch.t);
+      });
+      const auto shines = both(rules.lit_for_specular(lit, blocked), rules.shines(r_v));
       record.keep(Term::mirrored, h, r);
       record.keep(Term::r_v, h, r_v);
       record.keep(Term::shines, h, select(shines, F(1), F(0)));
       if (any(shines)) {
-        const F highlight = power(min(max(r_v, F(0)), F(1)), material[kShininess]);
+        const F highlight = rules.highlight(r_v, material[kShininess]);
         const V3<F> specular = intensity * material.color(kSpecular) * highlight;
         record.keep(Term::highlight, h, highlight);
         record.keep(Term::specular, h, specular);
@@ -172,21 +180,22 @@ void start_local(const FrozenScene<R>& scene, const Terms& terms, Level<R>& leve
 }
 
 /// I = Ia·ka + for each light that reaches the hit: Ii·kd·(L·N) + Ii·ks·(R·V)^n.
-template <class L, class R = typename L::Real, class Recorder = NoRecord>
+template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
 void light_hits(const FrozenScene<R>& scene, const TraceSettings& settings, Level<R>& level,
-                Scratch<R>& scratch, RayCounts& counts, const Recorder& record = {}) {
+                Scratch<R>& scratch, RayCounts& counts, const Recorder& record = {},
+                const Ruling& rules = {}) {
   const Terms& terms = settings.terms;
   start_local<L>(scene, terms, level, scratch);
   record.hits(level, scratch);
   if (terms.silhouette || !(terms.diffuse || terms.specular)) return;
   for (std::int32_t i = 0; i < scene.light_count; ++i) {
     const auto n = static_cast<std::size_t>(level.hit_count);
-    const std::size_t feelers = make_feelers<L>(scene.lights[i], n, scratch, record);
+    const std::size_t feelers = make_feelers<L>(scene.lights[i], n, scratch, record, rules);
     if (terms.shadows) {
       trace_feelers<L>(scene, feelers, scratch);
       counts.shadow += feelers;
     }
-    add_light<L>(scene, scene.lights[i], terms, level, scratch, record);
+    add_light<L>(scene, scene.lights[i], terms, level, scratch, record, rules);
     record.light(scene, i, feelers, level, scratch);
   }
 }

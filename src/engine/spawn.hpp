@@ -53,6 +53,18 @@ struct HitLanes {
         view{L::load(scratch.vx + h), L::load(scratch.vy + h), L::load(scratch.vz + h)},
         offset(L::load(scratch.offset + h)),
         cosine(dot(view, normal)) {}
+
+  /// The same with the normal that the refracted ray is computed from.
+  template <class Ruling>
+  ZRAKA_INLINE HitLanes for_refraction(const Scratch<R>& scratch, std::size_t h,
+                                       const Ruling& rules) const {
+    HitLanes hit = *this;
+    if (rules.turns_for_refraction()) {
+      hit.normal = rules.refraction_normal(normal, L::load(scratch.inside + h) > F(0));
+      hit.cosine = dot(view, hit.normal);
+    }
+    return hit;
+  }
 };
 
 /// Ratio n1/n2 for a ray that comes from the hit's viewer, and D/4 of sheet 3.5.
@@ -60,18 +72,20 @@ template <class L, class R = typename L::Real>
 struct Snell {
   using F = typename L::F;
   F b, d;
+  template <class Ruling>
   ZRAKA_INLINE Snell(const MaterialLanes<L>& material, const Scratch<R>& scratch, std::size_t h,
-                     F cosine)
-      : b(select(L::load(scratch.inside + h) > F(0), material[kRatioOut], material[kRatioIn])),
-        d(b * b * cosine * cosine - b * b + F(1)) {}
+                     F cosine, const Ruling& rules)
+      : b(select(L::load(scratch.inside + h) > F(0), material[rules.ratio_on_exit()],
+                 material[kRatioIn])),
+        d(rules.discriminant(b * b * cosine * cosine - b * b + F(1))) {}
 };
 
 /// R = 2(U·N)N - U, and the shares of both children. With mirror_when_total the share of a
 /// refracted ray that cannot be goes to the reflected one.
-template <class L, class R = typename L::Real, class Recorder = NoRecord>
+template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
 void spawn_reflected(const FrozenScene<R>& scene, const TraceSettings& settings, Level<R>& level,
                      const Scratch<R>& scratch, Level<R>& next, RayCounts& counts,
-                     const Recorder& record = {}) {
+                     const Recorder& record = {}, const Ruling& rules = {}) {
   using F = typename L::F;
   const auto n = static_cast<std::size_t>(level.hit_count);
   const std::int32_t before = next.ray_count;
@@ -82,7 +96,8 @@ void spawn_reflected(const FrozenScene<R>& scene, const TraceSettings& settings,
     const HitLanes<L> hit(scratch, h);
     record.keep(Term::cosine, h, hit.cosine);
     if (settings.terms.refraction && any(but_not(L::first(n - h), refraction == F(0)))) {
-      const Snell<L> snell(material, scratch, h, hit.cosine);
+      const HitLanes<L> turned = hit.for_refraction(scratch, h, rules);
+      const Snell<L> snell(material, scratch, h, rules.refraction_cosine(turned.cosine), rules);
       const auto passes = snell.d >= F(0);
       record.keep(Term::ratio, h, snell.b);
       record.keep(Term::quarter_d, h, snell.d);
@@ -93,16 +108,17 @@ void spawn_reflected(const FrozenScene<R>& scene, const TraceSettings& settings,
     L::store(reflection, level.hits.reflection + h);
     L::store(refraction, level.hits.refraction + h);
     append_rays<L>(next, hit.point + hit.normal * hit.offset,
-                   hit.normal * (hit.cosine + hit.cosine) - hit.view,
+                   rules.reflected(hit.normal * (hit.cosine + hit.cosine) - hit.view),
                    but_not(L::first(n - h), reflection == F(0)), level.hits.reflected + h);
   }
   counts.reflected += static_cast<std::uint64_t>(next.ray_count - before);
 }
 
 /// R = -aN - bU with a = -b·cos α + √(D/4), where D is not negative.
-template <class L, class R = typename L::Real, class Recorder = NoRecord>
+template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
 void spawn_refracted(const FrozenScene<R>& scene, Level<R>& level, const Scratch<R>& scratch,
-                     Level<R>& next, RayCounts& counts, const Recorder& record = {}) {
+                     Level<R>& next, RayCounts& counts, const Recorder& record = {},
+                     const Ruling& rules = {}) {
   using F = typename L::F;
   const auto n = static_cast<std::size_t>(level.hit_count);
   const std::int32_t before = next.ray_count;
@@ -114,9 +130,10 @@ void spawn_refracted(const FrozenScene<R>& scene, Level<R>& level, const Scratch
       continue;
     }
     const auto material = load_materials<L>(scene.materials, scratch, h, n);
-    const HitLanes<L> hit(scratch, h);
-    const Snell<L> snell(material, scratch, h, hit.cosine);
-    const F a = sqrt(max(snell.d, F(0))) - snell.b * hit.cosine;
+    const HitLanes<L> hit = HitLanes<L>(scratch, h).for_refraction(scratch, h, rules);
+    const F cosine = rules.refraction_cosine(hit.cosine);
+    const Snell<L> snell(material, scratch, h, cosine, rules);
+    const F a = sqrt(max(snell.d, F(0))) - snell.b * cosine;
     record.keep(Term::along_normal, h, a);
     append_rays<L>(next, hit.point - hit.normal * hit.offset,
                    -(hit.normal * a) - hit.view * snell.b, wanted, level.hits.refracted + h);

@@ -9,65 +9,67 @@
 #include "engine/hits.hpp"
 #include "engine/light.hpp"
 #include "engine/record.hpp"
+#include "engine/rules.hpp"
 #include "engine/spawn.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
 /// Traces the next rays of a level, as many as a batch holds, and puts their children into `next`;
 /// nullptr where rays have reached the greatest depth.
-template <class L, class R = typename L::Real, class Recorder = NoRecord>
+template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
 void trace_batch(const FrozenScene<R>& scene, const TraceSettings& settings, Level<R>& level,
                  Level<R>* next, Workspace<R>& workspace, RayCounts& counts,
-                 const Recorder& record = {}) {
+                 const Recorder& record = {}, const Ruling& rules = {}) {
   const std::int32_t left = level.ray_count - level.done;
   level.in_batch = left < workspace.batch ? left : workspace.batch;
 
-  trace_nearest<L>(scene, level, workspace.scratch);
+  trace_nearest<L>(scene, level, workspace.scratch, rules);
   counts.hits += static_cast<std::uint64_t>(level.hit_count);
-  find_surfaces<L>(scene, level, workspace.scratch);
-  light_hits<L>(scene, settings, level, workspace.scratch, counts, record);
+  find_surfaces<L>(scene, level, workspace.scratch, rules);
+  light_hits<L>(scene, settings, level, workspace.scratch, counts, record, rules);
 
   if (next == nullptr || settings.terms.silhouette) return;
   if (!settings.terms.reflection && !settings.terms.refraction) return;
-  spawn_reflected<L>(scene, settings, level, workspace.scratch, *next, counts, record);
-  spawn_refracted<L>(scene, level, workspace.scratch, *next, counts, record);
+  spawn_reflected<L>(scene, settings, level, workspace.scratch, *next, counts, record, rules);
+  spawn_refracted<L>(scene, level, workspace.scratch, *next, counts, record, rules);
   record.children(level, *next);
 }
 
 /// Grows and folds the trees of the rays in level 0. A batch has at most two children a ray, so a
 /// level never holds more than two batches: memory is bounded by the depth, however the trees
 /// branch.
-template <class L, class R = typename L::Real, class Recorder = NoRecord>
+template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
 void trace_trees(const FrozenScene<R>& scene, const TraceSettings& settings,
-                 Workspace<R>& workspace, RayCounts& counts, const Recorder& record = {}) {
+                 Workspace<R>& workspace, RayCounts& counts, const Recorder& record = {},
+                 const Ruling& rules = {}) {
   for (int depth = 0;;) {
     Level<R>& level = workspace.levels[depth];
     if (level.done < level.ray_count) {
       Level<R>* next = depth < settings.max_depth ? &level + 1 : nullptr;
       if (next != nullptr) next->ray_count = next->done = 0;
-      trace_batch<L>(scene, settings, level, next, workspace, counts, record);
+      trace_batch<L>(scene, settings, level, next, workspace, counts, record, rules);
       if (next != nullptr && next->ray_count > 0 && record.goes_on())
         ++depth;  // the children first
       else
-        fold<L>(settings, level, static_cast<Level<R>*>(nullptr), record);
+        fold<L>(settings, level, static_cast<Level<R>*>(nullptr), record, rules);
     } else if (depth > 0) {
       --depth;  // all the children's colours are known
-      fold<L>(settings, workspace.levels[depth], &level, record);
+      fold<L>(settings, workspace.levels[depth], &level, record, rules);
     } else {
       return;
     }
   }
 }
 
-template <class L, class R = typename L::Real, class Recorder = NoRecord>
+template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
 void trace_tile(const FrozenScene<R>& scene, const TraceSettings& settings, const TileRect& tile,
                 Workspace<R>& workspace, RayCounts& counts, float* pixels, std::size_t stride,
-                const Recorder& record = {}) {
+                const Recorder& record = {}, const Ruling& rules = {}) {
   Level<R>& top = workspace.levels[0];
   top.done = 0;
   make_camera_rays<L>(scene.camera, tile, top);
   counts.camera += static_cast<std::uint64_t>(top.ray_count);
-  trace_trees<L>(scene, settings, workspace, counts, record);
+  trace_trees<L>(scene, settings, workspace, counts, record, rules);
 
   std::size_t i = 0;
   each_pixel(tile, [&](std::int32_t x, std::int32_t y) {

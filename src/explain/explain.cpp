@@ -8,6 +8,7 @@
 
 #include "explain/recording.hpp"
 #include "render/isa.hpp"
+#include "render/mistake.hpp"
 #include "render/prepare.hpp"
 #include "render/workspace.hpp"
 
@@ -179,9 +180,12 @@ void TreeReader::at_light(std::int32_t light, std::size_t feelers, const Level<f
     feelers_disagree_ = feelers_disagree_ || (blocker < 0) != (s.lit[h] > 0);
   }
   for (std::size_t h = 0; h < hits; ++h) {
-    if (!(s.lit[h] > 0)) continue;
     LightTerms& at = of_light(h);
-    if (stage.diffuse) at.diffuse = terms_.three_at(Term::diffuse, h);
+    const bool lit = s.lit[h] > 0;
+    const bool specular = lit || (at.reach == Reach::blocked &&
+                                  stand_.settings.mistake == Mistake::shadow_leaves_specular);
+    if (!specular) continue;
+    if (stage.diffuse && lit) at.diffuse = terms_.three_at(Term::diffuse, h);
     if (!stage.specular) continue;
     at.r_v = terms_.at(Term::r_v, h);
     if (!(terms_.at(Term::shines, h) > 0)) continue;
@@ -294,7 +298,24 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
       const auto corner = [&](std::size_t i) { return explanation.trees[i].rays[0].color[c]; };
       explanation.color[c] = mean_of_corners(corner(0), corner(1), corner(2), corner(3));
     }
+  Image pixel(1, 1);
+  std::copy(explanation.color.begin(), explanation.color.end(), pixel.pixels.begin());
+  put_into(pixel, stand.options.mistake);
+  std::copy_n(pixel.pixels.begin(), 3, explanation.color.begin());
   return explanation;
+}
+
+}  // namespace
+
+namespace {
+
+Stand stand_for(const Scene& scene, const RenderOptions& options, Isa isa) {
+  const bool right = options.mistake == Mistake::none;
+  const RenderOptions made = mistaken_options(options);
+  PreparedScene<float> prepared = right ? prepare<float>(scene, made.profile)
+                                        : prepare<float>(mistaken_scene(scene, made), made.profile);
+  const TraceSettings settings = settings_of(made, prepared.frame);
+  return {scene, made, settings, std::move(prepared), right ? &kernel_of(isa) : &mistaken_kernel()};
 }
 
 }  // namespace
@@ -317,9 +338,7 @@ Result<Explainer> Explainer::create(const Scene& scene, const RenderOptions& opt
     return failure("", "the oracle's numbers are doubles, and no picture's: it explains nothing",
                    "ask for avx512, avx2 or portable");
   try {
-    return Explainer(std::unique_ptr<Impl>(
-        new Impl{{scene, options, settings_of(options), prepare<float>(scene, options.profile),
-                  &kernel_of(*isa)}}));
+    return Explainer(std::unique_ptr<Impl>(new Impl{stand_for(scene, options, *isa)}));
   } catch (const std::bad_alloc&) {
     return failure("", fmt::format("not enough memory for {} shapes", scene.shape_count()));
   }

@@ -231,7 +231,7 @@ Result<Influence> influence(const Scene& scene, const RenderOptions& options,
     const int threads = options.threads == 0 ? tbb::info::default_concurrency() : options.threads;
     const bool corners = options.profile.average_corners;
     const std::int32_t side = tile + (corners ? 1 : 0);
-    const TraceSettings settings = settings_of(options);
+    const TraceSettings settings = settings_of(options, prepared.frame);
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                               static_cast<std::size_t>(threads));
     tbb::enumerable_thread_specific<std::unique_ptr<WayReader>> readers([&] {

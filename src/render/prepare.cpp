@@ -27,9 +27,13 @@ Diagnostics check_request(const Scene& scene, const RenderOptions& options) {
   return found;
 }
 
-TraceSettings settings_of(const RenderOptions& options) {
-  return {options.terms, options.max_depth, options.profile.clamp_levels,
-          options.profile.mirror_when_total};
+TraceSettings settings_of(const RenderOptions& options, const Frame& frame) {
+  return {options.terms,
+          options.max_depth,
+          options.profile.clamp_levels,
+          options.profile.mirror_when_total,
+          options.mistake,
+          static_cast<float>(frame.world_length(1))};
 }
 
 namespace {

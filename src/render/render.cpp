@@ -10,6 +10,7 @@
 #include <zraka/render.hpp>
 
 #include "render/isa.hpp"
+#include "render/mistake.hpp"
 #include "render/prepare.hpp"
 #include "render/tiles.hpp"
 #include "render/workspace.hpp"
@@ -74,18 +75,21 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   rendering.stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node);
 
   const auto traced = std::chrono::steady_clock::now();
-  const bool complete = render_tiles(prepared.store->scene, kernel, settings_of(options), options,
-                                     tile, threads, rendering);
+  const bool complete =
+      render_tiles(prepared.store->scene, kernel, settings_of(options, prepared.frame), options,
+                   tile, threads, rendering);
   rendering.stats.render_seconds = seconds_since(traced);
   return complete;
 }
 
 template <class SceneRef>
-Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options) {
+Result<Rendering> render_right_or_wrong(SceneRef&& scene, const RenderOptions& options) {
   Diagnostics problems = check_request(scene, options);
   if (!problems.empty()) return tl::make_unexpected(std::move(problems));
   const Result<Isa> isa = choose_isa(options.isa);
   if (!isa) return tl::make_unexpected(isa.error());
+  if (*isa == Isa::oracle && options.mistake != Mistake::none)
+    return failure("", "the oracle makes no mistakes", "ask for avx512, avx2 or portable");
 
   const int tile = options.tile == 0 ? kDefaultTile : options.tile;
   const int threads = options.threads == 0 ? tbb::info::default_concurrency() : options.threads;
@@ -103,14 +107,26 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options) {
         *isa == Isa::oracle
             ? freeze_and_render<double>(std::forward<SceneRef>(scene), isa_oracle::kKernel, options,
                                         tile, threads, rendering)
-            : freeze_and_render<float>(std::forward<SceneRef>(scene), kernel_of(*isa), options,
-                                       tile, threads, rendering);
+            : freeze_and_render<float>(
+                  std::forward<SceneRef>(scene),
+                  options.mistake == Mistake::none ? kernel_of(*isa) : mistaken_kernel(), options,
+                  tile, threads, rendering);
     if (!complete) return failure("", "the render was cancelled");
     if (more > 0) rendering.image = means_of_corners(rendering.image);
   } catch (const std::bad_alloc&) {
     return failure("", fmt::format("not enough memory for a picture of {}×{} pixels and {} shapes",
                                    resolution.width, resolution.height, shapes));
   }
+  return rendering;
+}
+
+template <class SceneRef>
+Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options) {
+  if (options.mistake == Mistake::none)
+    return render_right_or_wrong(std::forward<SceneRef>(scene), options);
+  Result<Rendering> rendering = render_right_or_wrong(
+      mistaken_scene(std::forward<SceneRef>(scene), options), mistaken_options(options));
+  if (rendering) put_into(rendering->image, options.mistake);
   return rendering;
 }
 
