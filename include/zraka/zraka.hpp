@@ -6,7 +6,9 @@
 #include <zraka/diagnostic.hpp>
 #include <zraka/explain.hpp>
 #include <zraka/formats.hpp>
+#include <zraka/grade.hpp>
 #include <zraka/image.hpp>
 #include <zraka/influence.hpp>
+#include <zraka/mistakes.hpp>
 #include <zraka/render.hpp>
 #include <zraka/scene.hpp>

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cause of a wrong picture is the mistake whose own picture is nearest to it: noise of a JPEG
+// or of a scaled screenshot adds the same distance to all of them.
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <zraka/grade.hpp>
+
+#include "explain/sentence.hpp"
+#include "grade/align.hpp"
+#include "grade/submission.hpp"
+#include "image/alter.hpp"
+
+namespace zraka {
+namespace {
+
+/// Pictures are first compared at about this size.
+constexpr std::uint32_t kCoarseSide = 100;
+
+/// A mistake is named if it takes away this much of the squared difference to the right picture.
+constexpr double kExplained = 0.5;
+/// The same for pictures that lost something on their way.
+constexpr double kExplainedWithLoss = 0.2;
+/// What JPEG and scaling may add, as a root mean square of values of 0…1.
+constexpr double kLoss = 0.04;
+/// Mistakes whose pictures differ by less than this from the right one cannot be seen.
+constexpr double kInvisible = 1e-9;
+
+struct Candidate {
+  Mistake mistake = Mistake::none;
+  Image picture, coarse;
+};
+
+/// All pictures of a stage, the right one first.
+struct StagePictures {
+  std::once_flag once;
+  Image right, coarse;
+  std::vector<Candidate> visible;
+};
+
+struct Match {
+  const Candidate* candidate = nullptr;  ///< nullptr: the right picture
+  std::size_t way = 0;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+struct Grader::Impl {
+  const Scene& scene;
+  RenderOptions options;
+  Rubric rubric;
+  std::array<Image, 7> right;
+  mutable std::array<StagePictures, 7> stages;
+
+  Image render_stage(int stage, Mistake mistake) const {
+    RenderOptions asked = options;
+    asked.terms = terms_of(static_cast<Stage>(stage));
+    asked.mistake = mistake;
+    const Image image = as_stored(render(scene, asked).value().image, options.profile.transfer, 8);
+    return stage == 1 ? as_silhouette(image) : image;
+  }
+  static Image coarse_of(const Image& image) {
+    const std::uint32_t side = std::max(image.width, image.height);
+    const auto less = [&](std::uint32_t n) {
+      return std::max<std::uint32_t>(
+          1, static_cast<std::uint32_t>(std::uint64_t{n} * std::min(kCoarseSide, side) / side));
+    };
+    return scaled_by_area(image, less(image.width), less(image.height));
+  }
+  const StagePictures& pictures(int stage) const;
+  StageGrade judge(int stage, const SubmittedPicture& submitted) const;
+  Match best_match(int stage, const Fitted& fitted, const std::vector<Image>& ways) const;
+  int nearest_stage(const Image& image) const;
+  void mark(std::vector<StageGrade>& stages) const;
+};
+
+const StagePictures& Grader::Impl::pictures(int stage) const {
+  const auto index = static_cast<std::size_t>(stage - 1);
+  StagePictures& found = stages[index];
+  std::call_once(found.once, [&] {
+    found.right = right[index];
+    found.coarse = coarse_of(found.right);
+    std::vector<Candidate> all;
+    for (const MistakeEntry& entry : all_mistakes())
+      if (entry.first_stage <= stage) all.push_back({entry.mistake, {}, {}});
+    const Region whole{0, 0, found.right.width, found.right.height};
+    // Not by tasks: a thread that waits here could be given another submission meanwhile.
+    for (Candidate& candidate : all) {
+      candidate.picture = render_stage(stage, candidate.mistake);
+      if (mean_square(candidate.picture, found.right, whole) < kInvisible) continue;
+      candidate.coarse = coarse_of(candidate.picture);
+      found.visible.push_back(std::move(candidate));
+    }
+  });
+  return found;
+}
+
+/// The candidate and the alignment that come nearest.
+Match Grader::Impl::best_match(int stage, const Fitted& fitted,
+                               const std::vector<Image>& ways) const {
+  const StagePictures& all = pictures(stage);
+  std::vector<Match> coarse;
+  for (std::size_t w = 0; w < ways.size(); ++w) {
+    const Image small = coarse_of(ways[w]);
+    const auto scaled = [&](std::uint32_t n, std::uint32_t from, std::uint32_t to) {
+      return static_cast<std::uint32_t>(std::uint64_t{n} * to / from);
+    };
+    const Region part{scaled(fitted.region.left, ways[w].width, small.width),
+                      scaled(fitted.region.top, ways[w].height, small.height),
+                      scaled(fitted.region.right, ways[w].width, small.width),
+                      scaled(fitted.region.bottom, ways[w].height, small.height)};
+    coarse.push_back({nullptr, w, mean_square(small, all.coarse, part)});
+    for (const Candidate& candidate : all.visible)
+      coarse.push_back({&candidate, w, mean_square(small, candidate.coarse, part)});
+  }
+  // As it was handed in, unless another way fits much better.
+  double as_is = std::numeric_limits<double>::infinity(), best = as_is;
+  std::size_t way = 0;
+  for (const Match& match : coarse) {
+    if (match.way == 0) as_is = std::min(as_is, match.distance);
+    if (match.distance < best) best = match.distance, way = match.way;
+  }
+  if (best > 0.5 * as_is) way = 0;
+
+  Match nearest;
+  const auto look = [&](std::size_t w) {
+    const auto consider = [&](const Candidate* candidate, const Image& picture) {
+      const double d = mean_square(ways[w], through_scaling(picture, fitted), fitted.region);
+      if (d < nearest.distance) nearest = {candidate, w, d};
+    };
+    consider(nullptr, all.right);
+    for (const Candidate& candidate : all.visible) consider(&candidate, candidate.picture);
+  };
+  look(0);
+  if (way != 0) look(way);
+  return nearest;
+}
+
+StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) const {
+  StageGrade grade{.stage = stage, .file = submitted.file};
+  if (!submitted.image) {
+    grade.verdict = Verdict::unreadable;
+    grade.problems = submitted.image.error();
+    return grade;
+  }
+  const auto index = static_cast<std::size_t>(stage - 1);
+  const Image& wanted = right[index];
+  Image handed_in = submitted.image->image;
+  if (submitted.image->floats) handed_in = as_stored(handed_in, options.profile.transfer, 8);
+  if (stage == 1) handed_in = as_silhouette(handed_in);
+  const Fitted fitted = fit(handed_in, wanted);
+  const bool loss = submitted.image->format == "JPEG" || fitted.alignment.scaled;
+  const double threshold = (rubric.tolerance + 0.5) / 255;
+  const auto share_over = [&](const Image& a, const Image& b) {
+    const auto cut = [&](const Image& image) {
+      const Region& r = fitted.region;
+      return fitted.alignment.cut
+                 ? cropped(image, r.left, r.top, r.right - r.left, r.bottom - r.top)
+                 : image;
+    };
+    return measure_errors(cut(a), cut(b), threshold).share();
+  };
+  const auto settle = [&](const Image& image, const Alignment& way, Verdict verdict) {
+    grade.verdict = verdict;
+    grade.alignment = fitted.alignment;
+    grade.alignment.flipped = way.flipped;
+    grade.alignment.swapped = way.swapped;
+    grade.alignment.curve = way.curve;
+    grade.aligned = image;
+    grade.share_wrong = share_over(image, wanted);
+  };
+
+  grade.share_wrong = share_over(fitted.image, wanted);
+  if (!loss && grade.share_wrong <= rubric.share) {
+    settle(fitted.image, {}, Verdict::right);
+    grade.share_left = grade.share_wrong;
+    return grade;
+  }
+
+  std::vector<Alignment> kinds = ways_to_align();
+  if (fitted.alignment.cut) std::erase_if(kinds, [](const Alignment& way) { return way.flipped; });
+  if (stage == 1)
+    std::erase_if(kinds, [](const Alignment& way) {
+      return way.swapped || way.curve != Alignment::Curve::none;
+    });
+  std::vector<Image> ways;
+  for (const Alignment& kind : kinds) ways.push_back(aligned(fitted.image, kind));
+  const Match match = best_match(stage, fitted, ways);
+  const Image& image = ways[match.way];
+  const Image& named = match.candidate == nullptr ? wanted : match.candidate->picture;
+  const double to_right = mean_square(image, through_scaling(wanted, fitted), fitted.region);
+  grade.share_left = share_over(image, named);
+
+  const bool close = loss ? std::sqrt(match.distance) <= kLoss
+                          : grade.share_left <= (match.candidate == nullptr ? rubric.share : 0.05);
+  const double explained = to_right > 0 ? 1 - match.distance / to_right : 1;
+  if (match.candidate == nullptr) {
+    settle(image, kinds[match.way], close ? Verdict::right : Verdict::differs);
+  } else if (explained >= (loss ? kExplainedWithLoss : kExplained) || (close && explained > 0)) {
+    settle(image, kinds[match.way], Verdict::mistaken);
+    // Several where the scene cannot tell them apart.
+    const Region whole{0, 0, wanted.width, wanted.height};
+    for (const Candidate& other : pictures(stage).visible)
+      if (mean_square(other.picture, named, whole) < kInvisible)
+        grade.mistakes.push_back(other.mistake);
+  } else {
+    settle(image, kinds[match.way], Verdict::differs);
+  }
+  grade.pixels = grade.verdict == Verdict::right ? std::vector<PixelPair>()
+                                                 : worst_pixels(image, wanted, threshold, 3);
+  return grade;
+}
+
+int Grader::Impl::nearest_stage(const Image& image) const {
+  int nearest = 7;
+  double least = std::numeric_limits<double>::infinity();
+  for (int stage = 7; stage >= 1; --stage) {
+    const Image& wanted = right[static_cast<std::size_t>(stage - 1)];
+    const Fitted fitted = fit(stage == 1 ? as_silhouette(image) : image, wanted);
+    const double d = mean_square(fitted.image, wanted, fitted.region);
+    if (d < least) least = d, nearest = stage;
+  }
+  return nearest;
+}
+
+/// A mistake costs where it comes first.
+void Grader::Impl::mark(std::vector<StageGrade>& grades) const {
+  std::set<Mistake> before;
+  for (StageGrade& grade : grades) {
+    grade.of = rubric.marks[static_cast<std::size_t>(grade.stage - 1)];
+    if (grade.verdict == Verdict::right) grade.marks = grade.of;
+    if (grade.verdict != Verdict::mistaken) continue;
+    const auto any_of = [&](const std::set<Mistake>& set) {
+      return std::any_of(grade.mistakes.begin(), grade.mistakes.end(),
+                         [&](Mistake mistake) { return set.contains(mistake); });
+    };
+    grade.repeated = any_of(before);
+    const bool free = any_of(rubric.allowed) || (rubric.once && grade.repeated);
+    grade.marks = free ? grade.of : grade.of * rubric.for_mistake;
+    before.insert(grade.mistakes.begin(), grade.mistakes.end());
+  }
+}
+
+Grader::Grader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Grader::Grader(Grader&&) noexcept = default;
+Grader::~Grader() = default;
+
+Result<Grader> Grader::create(const Scene& scene, const RenderOptions& options,
+                              const Rubric& rubric) {
+  std::unique_ptr<Impl> impl(new Impl{scene, options, rubric, {}, {}});
+  for (int stage = 1; stage <= 7; ++stage) {
+    RenderOptions asked = options;
+    asked.terms = terms_of(static_cast<Stage>(stage));
+    if (const Result<Rendering> rendering = render(scene, asked); !rendering)
+      return tl::make_unexpected(rendering.error());
+    impl->right[static_cast<std::size_t>(stage - 1)] = impl->render_stage(stage, Mistake::none);
+  }
+  return Grader(std::move(impl));
+}
+
+const Rubric& Grader::rubric() const {
+  return impl_->rubric;
+}
+
+const Image& Grader::picture(int stage, Mistake mistake) const {
+  const Image& right = impl_->right[static_cast<std::size_t>(stage - 1)];
+  if (mistake == Mistake::none) return right;
+  for (const Candidate& candidate : impl_->pictures(stage).visible)
+    if (candidate.mistake == mistake) return candidate.picture;
+  return right;
+}
+
+Grade Grader::grade(const std::string& path) const {
+  Grade grade{.name = path, .stages = {}, .problems = {}};
+  for (const double marks : impl_->rubric.marks) grade.of += marks;
+  try {
+    Result<std::vector<SubmittedPicture>> pictures = read_submission(path);
+    if (!pictures) {
+      grade.problems = pictures.error();
+      return grade;
+    }
+    std::array<const SubmittedPicture*, 8> by_stage{};
+    for (SubmittedPicture& picture : *pictures) {
+      const bool alone = pictures->size() == 1;
+      if (picture.stage == 8 || (picture.stage == 0 && !alone)) continue;
+      if (alone && picture.image) picture.stage = impl_->nearest_stage(picture.image->image);
+      if (picture.stage == 0) picture.stage = 7;
+      const SubmittedPicture*& place = by_stage[static_cast<std::size_t>(picture.stage)];
+      if (place == nullptr || (!place->image && picture.image)) place = &picture;
+    }
+    const bool alone = pictures->size() == 1;
+    for (int stage = 1; stage <= 7; ++stage) {
+      const SubmittedPicture* picture = by_stage[static_cast<std::size_t>(stage)];
+      if (picture != nullptr)
+        grade.stages.push_back(impl_->judge(stage, *picture));
+      else if (!alone)
+        grade.stages.push_back({.stage = stage});
+    }
+    impl_->mark(grade.stages);
+    if (alone) grade.of = 0;
+    for (const StageGrade& stage : grade.stages) {
+      grade.marks += stage.marks;
+      if (alone) grade.of += stage.of;
+    }
+  } catch (const std::bad_alloc&) {
+    grade.stages.clear();
+    grade.problems = {{.file = path, .message = "not enough memory to mark it"}};
+  }
+  return grade;
+}
+
+std::vector<std::pair<bool, std::string>> Grader::told_apart(std::string_view language,
+                                                             const StageGrade& stage) const {
+  std::vector<std::pair<bool, std::string>> told;
+  if (stage.mistakes.empty()) return told;
+  const Mistake mistake = stage.mistakes.front();
+  const std::vector<PixelPair> worst =
+      worst_pixels(picture(stage.stage, mistake), picture(stage.stage), 0, 1);
+  if (worst.empty()) return told;
+  RenderOptions options = impl_->options;
+  options.terms = terms_of(static_cast<Stage>(stage.stage));
+  for (const bool wrong : {false, true}) {
+    options.mistake = wrong ? mistake : Mistake::none;
+    const Result<Explanation> explanation =
+        explain(impl_->scene, options, worst.front().x, worst.front().y);
+    if (explanation)
+      told.emplace_back(
+          wrong, in_words(language_named(language).value_or(Language::english), *explanation));
+  }
+  return told;
+}
+
+Rubric default_rubric() {
+  Rubric rubric;
+  for (const MistakeEntry& entry : all_mistakes())
+    if (entry.allowed) rubric.allowed.insert(entry.mistake);
+  return rubric;
+}
+
+}  // namespace zraka

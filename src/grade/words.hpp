@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// A grade for people and for programs.
+#pragma once
+
+#include <string>
+#include <vector>
+#include <zraka/grade.hpp>
+
+#include "core/words.hpp"
+
+namespace zraka {
+
+/// The mistake in a sentence without a full stop.
+std::string_view text_of(Language language, Mistake mistake);
+
+/// What was found out about a stage, line by line; the first says what it is.
+std::vector<std::string> findings(Language language, const Grader& grader, const StageGrade& stage);
+
+/// "2.5 of 7 marks", then a line for each stage with its findings below.
+std::string grade_text(Language language, const Grader& grader, const Grade& grade);
+
+/// A line for each submission, stage by stage.
+std::string grades_table(Language language, const std::vector<Grade>& grades);
+
+/// {"score", "max_score", "tests": [...]}: what Submitty, Gradescope and GitHub Classroom read
+/// (docs/grade.md).
+std::string grade_json(Language language, const Grader& grader, const std::vector<Grade>& grades,
+                       bool several);
+
+}  // namespace zraka
