@@ -71,6 +71,11 @@ void RenderWords::add_to(CLI::App& command) {
       .add_option("--tile", tile,
                   "side of the tiles that threads work on; 0 chooses; no pixel changes")
       ->check(CLI::Range(0, kMaxTile));
+  command
+      .add_option("--mistake", mistake,
+                  "make one of the mistakes of \"zraka grade --list\", to see what it does")
+      ->check(one_of("the name of a mistake; zraka grade --list has them",
+                     [](const std::string& word) { return mistake_named(word).has_value(); }));
   command.add_option("--isa", isa, "instruction set: avx512, avx2 or portable; no pixel changes")
       ->check(one_of("avx512, avx2 or portable",
                      [](const std::string& word) { return isa_named(word).has_value(); }));
@@ -111,6 +116,7 @@ RenderOptions RenderWords::options(const Scene& loaded) const {
   options.threads = threads;
   options.tile = tile;
   options.isa = isa_named(isa);
+  options.mistake = mistake_named(mistake).value_or(Mistake::none);
   return options;
 }
 

@@ -17,6 +17,7 @@ struct RenderWords {
   int threads = 0;
   int tile = 0;
   std::string isa;
+  std::string mistake;  // "": none
   bool quiet = false;
 
   void add_to(CLI::App& command);

@@ -59,9 +59,8 @@ struct StageGrade {
   bool repeated = false;   ///< the mistake was there in an earlier stage
   double share_wrong = 0;  ///< pixels that differ from the right picture
   double share_left = 0;   ///< pixels that differ from what is named
-  std::vector<PixelPair>
-      pixels;            ///< a: the submission, b: the right picture, where they differ first
-  Diagnostics problems;  ///< of an unreadable file
+  std::vector<PixelPair> pixels{};            ///< a: the submission, b: the right picture, where they differ first
+  Diagnostics problems{};  ///< of an unreadable file
   Image aligned{};       ///< as it was compared, empty where there is none
 };
 

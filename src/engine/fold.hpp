@@ -5,7 +5,6 @@
 #include "engine/engine.hpp"
 #include "engine/places.hpp"
 #include "engine/record.hpp"
-#include "engine/rules.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -28,15 +27,15 @@ ZRAKA_INLINE V3<typename L::F> add_child(const V3<typename L::F>& sum, const R* 
 /// C = local + k1·Crefl + k2·Crefr for each hit of the level's batch, which is then done; the
 /// components are clamped to 0…1 where the profile says so. Without children `next` is not looked
 /// at.
-template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
+template <class L, class R = typename L::Real, class Recorder = NoRecord>
 void fold(const TraceSettings& settings, Level<R>& level, const Level<R>* next,
-          const Recorder& record = {}, const Ruling& rules = {}) {
+          const Recorder& record = {}) {
   using F = typename L::F;
   using I = typename L::I;
   const auto n = static_cast<std::size_t>(level.hit_count);
   const HitArrays<R>& hits = level.hits;
   for (std::size_t h = 0; h < n; h += L::kWidth) {
-    V3<F> color = rules.local(V3<F>{L::load(hits.r + h), L::load(hits.g + h), L::load(hits.b + h)});
+    V3<F> color{L::load(hits.r + h), L::load(hits.g + h), L::load(hits.b + h)};
     if (next != nullptr) {
       color = add_child<L>(color, hits.reflection + h, hits.reflected + h, next->rays);
       color = add_child<L>(color, hits.refraction + h, hits.refracted + h, next->rays);

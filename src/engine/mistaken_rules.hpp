@@ -113,13 +113,6 @@ struct MistakenRules : Rules {
   ZRAKA_INLINE M lit_for_specular(M lit, M blocked) const {
     return is(Mistake::shadow_leaves_specular) ? either(lit, blocked) : lit;
   }
-  template <class V>
-  ZRAKA_INLINE V local(const V& sum) const {
-    if (!is(Mistake::clamp_local)) return sum;
-    using F = decltype(sum.x);
-    const auto clamp = [](F c) { return min(max(c, F(0)), F(1)); };
-    return {clamp(sum.x), clamp(sum.y), clamp(sum.z)};
-  }
   ZRAKA_INLINE int ratio_on_exit() const {
     return is(Mistake::ratio_on_exit) ? kRatioIn : kRatioOut;
   }

@@ -80,11 +80,6 @@ struct Rules {
   ZRAKA_INLINE M lit_for_specular(M lit, M /*blocked*/) const {
     return lit;
   }
-  /// I, before the children's light comes to it.
-  template <class V>
-  ZRAKA_INLINE V local(const V& sum) const {
-    return sum;
-  }
   /// The column of n1/n2 where a ray leaves the body.
   ZRAKA_INLINE int ratio_on_exit() const { return kRatioOut; }
   /// U·N, as Snell's law has it.

@@ -51,10 +51,10 @@ void trace_trees(const FrozenScene<R>& scene, const TraceSettings& settings,
       if (next != nullptr && next->ray_count > 0 && record.goes_on())
         ++depth;  // the children first
       else
-        fold<L>(settings, level, static_cast<Level<R>*>(nullptr), record, rules);
+        fold<L>(settings, level, static_cast<Level<R>*>(nullptr), record);
     } else if (depth > 0) {
       --depth;  // all the children's colours are known
-      fold<L>(settings, workspace.levels[depth], &level, record, rules);
+      fold<L>(settings, workspace.levels[depth], &level, record);
     } else {
       return;
     }

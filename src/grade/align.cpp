@@ -2,7 +2,9 @@
 #include "grade/align.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "image/alter.hpp"
 
@@ -144,6 +146,22 @@ double mean_square(const Image& a, const Image& b, const Region& region) {
   const double values =
       3.0 * (region.right - region.left) * static_cast<double>(region.bottom - region.top);
   return values > 0 ? sum / values : 0;
+}
+
+bool is_flat(const Image& image) {
+  const Image shape = as_silhouette(image);
+  std::array<double, 3> mean{};
+  double count = 0, away = 0;
+  const auto each = [&](const auto& function) {
+    for (std::size_t i = 0; i + 2 < image.pixels.size(); i += 3)
+      if (shape.pixels[i] > 0)
+        for (std::size_t c = 0; c < 3; ++c) function(c, static_cast<double>(image.pixels[i + c]));
+  };
+  each([&](std::size_t c, double value) { mean[c] += value, count += 1; });
+  if (count == 0) return true;
+  for (double& value : mean) value /= count / 3;
+  each([&](std::size_t c, double value) { away += std::fabs(value - mean[c]); });
+  return away / count < 0.03;
 }
 
 Image as_silhouette(const Image& image) {

@@ -37,5 +37,7 @@ double mean_square(const Image& a, const Image& b, const Region& region);
 
 /// Every pixel that is not nearly black in white: silhouettes may have any colour.
 Image as_silhouette(const Image& image);
+/// Has all that is not nearly black one colour, as silhouettes have?
+bool is_flat(const Image& image);
 
 }  // namespace zraka

@@ -219,7 +219,8 @@ StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) con
 int Grader::Impl::nearest_stage(const Image& image) const {
   int nearest = 7;
   double least = std::numeric_limits<double>::infinity();
-  for (int stage = 7; stage >= 1; --stage) {
+  // Any picture of the scene has its silhouette.
+  for (int stage = 7; stage >= (is_flat(image) ? 1 : 2); --stage) {
     const Image& wanted = right[static_cast<std::size_t>(stage - 1)];
     const Fitted fitted = fit(stage == 1 ? as_silhouette(image) : image, wanted);
     const double d = mean_square(fitted.image, wanted, fitted.region);
@@ -253,6 +254,7 @@ Grader::~Grader() = default;
 Result<Grader> Grader::create(const Scene& scene, const RenderOptions& options,
                               const Rubric& rubric) {
   std::unique_ptr<Impl> impl(new Impl{scene, options, rubric, {}, {}});
+  impl->options.isa.reset();  // all have the same bits, and the oracle makes no mistakes
   for (int stage = 1; stage <= 7; ++stage) {
     RenderOptions asked = options;
     asked.terms = terms_of(static_cast<Stage>(stage));
@@ -288,7 +290,8 @@ Grade Grader::grade(const std::string& path) const {
     for (SubmittedPicture& picture : *pictures) {
       const bool alone = pictures->size() == 1;
       if (picture.stage == 8 || (picture.stage == 0 && !alone)) continue;
-      if (alone && picture.image) picture.stage = impl_->nearest_stage(picture.image->image);
+      if (picture.stage == 0 && picture.image)
+        picture.stage = impl_->nearest_stage(picture.image->image);
       if (picture.stage == 0) picture.stage = 7;
       const SubmittedPicture*& place = by_stage[static_cast<std::size_t>(picture.stage)];
       if (place == nullptr || (!place->image && picture.image)) place = &picture;
@@ -300,6 +303,12 @@ Grade Grader::grade(const std::string& path) const {
         grade.stages.push_back(impl_->judge(stage, *picture));
       else if (!alone)
         grade.stages.push_back({.stage = stage});
+    }
+    // A picture whose name says nothing is the last one, if that makes more of it.
+    if (alone && grade.stages.front().verdict == Verdict::differs &&
+        stage_of_name(pictures->front().file) == 0) {
+      StageGrade last = impl_->judge(7, pictures->front());
+      if (last.verdict != Verdict::differs) grade.stages.front() = std::move(last);
     }
     impl_->mark(grade.stages);
     if (alone) grade.of = 0;

@@ -125,7 +125,7 @@ Result<std::vector<SubmittedPicture>> from_archive(const std::string& path) {
 
 int stage_of_name(const std::string& file) {
   const std::string name = lower_case(fs::path(file).stem().string());
-  for (const char* other : {"contact", "diff", "change", "razlik", "letter", "slovo", "heat"})
+  for (const char* other : {"contact", "difference", "change", "razlik", "letter", "slovo", "heat"})
     if (name.find(other) != std::string::npos) return 8;
   constexpr struct {
     const char* part;

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "explain/json.hpp"
+#include "grade/align.hpp"
+#include "grade/submission.hpp"
+#include "grade/words.hpp"
+#include "image/alter.hpp"
+#include "language.hpp"
+#include "picture_files.hpp"
+#include "scenes.hpp"
+
+namespace zraka {
+namespace {
+
+#ifdef ZRAKA_SANITIZED
+constexpr std::uint32_t kSide = 48;
+#else
+constexpr std::uint32_t kSide = 160;
+#endif
+
+Material glassy(Color color, double k1, double k2, double ratio) {
+  return {.ambient = {color.r * 0.3, color.g * 0.3, color.b * 0.3},
+          .diffuse = color,
+          .specular = {0.6, 0.7, 0.8},
+          .shininess = 12,
+          .reflection = k1,
+          .refraction = k2,
+          .refractive = ratio};
+}
+
+/// A ground, glass in front of coloured spheres, mirrors that face each other, and a body behind
+/// the light: all that mistakes need to be seen.
+Scene course_scene() {
+  Scene scene = lab_scene(kSide);
+  scene.lights = {{{-1.5, 2.5, 1}, {1, 1, 1}}};
+  scene.ambient_light = {0.5, 0.5, 0.5};
+  add_sphere(scene, {0, -101, -3}, 100, glassy({0.5, 0.5, 0.6}, 0.2, 0, 1));
+  add_sphere(scene, {0.1, 0.1, -2}, 0.8, glassy({0.1, 0.1, 0.1}, 0.1, 0.8, 0.67));
+  add_sphere(scene, {-1.2, 0, -3.5}, 0.9, glassy({0.6, 0.2, 0.2}, 0.7, 0, 1));
+  add_sphere(scene, {1.4, 0.2, -3}, 0.9, glassy({0.2, 0.7, 0.3}, 0.6, 0, 1));
+  add_sphere(scene, {0.3, 0.9, -5}, 0.8, glassy({0.8, 0.7, 0.1}, 0, 0, 1));
+  add_sphere(scene, {-2.6, 4.2, 2}, 0.7, glassy({0.9, 0.9, 0.9}, 0, 0, 1));  // behind the light
+  add_sphere(scene, {0.5, 0.2, -1}, 0.25, glassy({0.1, 0.2, 0.6}, 0.3, 0.5, 1.4));
+  return scene;
+}
+
+/// Two lights, glass in glass.
+Scene second_scene() {
+  Scene scene = course_scene();
+  scene.lights.push_back({{2, 1, 2}, {0.6, 0.5, 0.4}});
+  scene.spheres[1].shape = {{-0.3, 0, -1.6}, 0.7};
+  add_sphere(scene, {-0.3, 0, -1.6}, 0.3, glassy({0.2, 0.05, 0.05}, 0.2, 0.6, 1.6));
+  return scene;
+}
+
+Scene third_scene() {
+  Scene scene = lab_scene(kSide);
+  scene.ambient_light = {0.4, 0.5, 0.6};
+  scene.lights = {{{1.5, 1.2, -1}, {0.9, 1, 0.8}}};
+  add_sphere(scene, {0, 0, -4}, 1.2, glassy({0.7, 0.3, 0.1}, 0.4, 0, 1));
+  for (int i = 0; i < 5; ++i)
+    add_sphere(
+        scene, {-1.1 + 0.55 * i, -0.5 + 0.2 * (i % 3), -1.2 - 0.3 * i}, 0.35,
+        glassy({0.1 * i, 0.3, 0.6 - 0.1 * i}, 0.15 * i, i % 2 == 0 ? 0.7 : 0, 0.7 + 0.15 * i));
+  add_sphere(scene, {2.4, 2.0, -0.5}, 0.4, glassy({0.9, 0.9, 0.9}, 0, 0, 1));
+  return scene;
+}
+
+RenderOptions lab_options(Stage stage = Stage::refraction) {
+  return {.terms = terms_of(stage), .profile = profile_of(ProfileName::lab)};
+}
+
+/// A folder that is gone when the test is over.
+struct Folder {
+  std::filesystem::path path;
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "grade-XXXXXX").string();
+    path = mkdtemp(name.data());
+  }
+  ~Folder() { std::filesystem::remove_all(path); }
+  std::string file(const std::string& name) const { return (path / name).string(); }
+};
+
+TEST(Mistakes, AreNamedInBothLanguages) {
+  EXPECT_GE(all_mistakes().size(), 24u);
+  for (const MistakeEntry& entry : all_mistakes()) {
+    EXPECT_EQ(mistake_named(entry.key), entry.mistake);
+    EXPECT_EQ(&entry_of(entry.mistake), &entry);
+    EXPECT_EQ(english_words_in(entry.croatian), "") << entry.croatian;
+  }
+  EXPECT_FALSE(mistake_named("none"));
+}
+
+TEST(Mistakes, OfNoneIsTheRightPicture) {
+  const Scene scene = second_scene();
+  RenderOptions options = lab_options();
+  const Image right = render(scene, options).value().image;
+  // What cannot be seen leaves every bit as it is, by the kernel that makes mistakes.
+  Scene plain = scene;
+  for (Material& material : plain.materials) material.refraction = material.reflection = 0;
+  const std::string all = sha256(render(plain, options).value().image);
+  options.mistake = Mistake::total_clamped;
+  EXPECT_EQ(sha256(render(plain, options).value().image), all);
+  EXPECT_NE(sha256(render(scene, options).value().image), sha256(right));
+}
+
+TEST(Mistakes, ShowFromTheirStageOn) {
+  const Scene scenes[] = {course_scene(), second_scene(), third_scene()};
+  for (const MistakeEntry& entry : all_mistakes()) {
+    bool seen = false;
+    for (const Scene& scene : scenes)
+      for (int stage = 1; stage <= 7; ++stage) {
+        RenderOptions options = lab_options(static_cast<Stage>(stage));
+        const auto stored = [&] {
+          return sha256(as_stored(render(scene, options).value().image, Transfer::linear, 8));
+        };
+        const std::string right = stored();
+        options.mistake = entry.mistake;
+        const bool differs = stored() != right;
+        seen = seen || differs;
+        EXPECT_TRUE(!differs || stage >= entry.first_stage) << entry.key << " in stage " << stage;
+      }
+    EXPECT_TRUE(seen) << entry.key;
+  }
+}
+
+Float3 folded(const nlohmann::json& ray, const nlohmann::json& all, Mistake mistake) {
+  const auto three = [](const nlohmann::json& v) {
+    return Float3{v[0].get<float>(), v[1].get<float>(), v[2].get<float>()};
+  };
+  if (ray["hit"].is_null()) return three(all["background"]);
+  const nlohmann::json& hit = ray["hit"];
+  Float3 color = three(hit["ambient"]);
+  const auto add = [&](const Float3& more) {
+    for (std::size_t c = 0; c < 3; ++c) color[c] += more[c];
+  };
+  for (const nlohmann::json& light : hit["lights"]) {
+    if (mistake == Mistake::shadow_takes_ambient && light["reach"] == "blocked") color = {};
+    if (!light["diffuse"].is_null()) add(three(light["diffuse"]));
+    if (!light["specular"].is_null()) add(three(light["specular"]));
+  }
+  const auto clamp = [&] {
+    for (float& c : color) c = std::min(std::max(c, 0.0F), 1.0F);
+  };
+  for (const char* child : {"reflected", "refracted"})
+    if (!hit[child]["ray"].is_null()) {
+      Float3 more = folded(hit[child]["ray"], all, mistake);
+      for (float& c : more) c *= hit[child]["share"].get<float>();
+      add(more);
+    }
+  if (all["clamp_levels"].get<bool>()) clamp();
+  return color;
+}
+
+TEST(Mistakes, AreExplainedToTheBit) {
+  const Scene scenes[] = {course_scene(), second_scene(), third_scene()};
+  std::uint32_t at = 7;
+  for (const MistakeEntry& entry : all_mistakes())
+    for (const Scene& scene : scenes) {
+      RenderOptions options = lab_options();
+      options.mistake = entry.mistake;
+      const Image image = render(scene, options).value().image;
+      Explainer explainer = Explainer::create(scene, options).value();
+      for (int i = 0; i < 12; ++i) {
+        at = at * 1664525u + 1013904223u;
+        const std::uint32_t x = (at >> 8) % kSide, y = (at >> 20) % kSide;
+        const Result<Explanation> e = explainer.pixel(x, y);
+        ASSERT_TRUE(e) << entry.key << ": " << to_string(e.error().front());
+        const float* pixel = image.row(y) + 3 * x;
+        const nlohmann::json json = nlohmann::json::parse(to_json(*e, "", "", ""));
+        Image one(1, 1);
+        const Float3 color = folded(json["tree"], json, entry.mistake);
+        std::copy(color.begin(), color.end(), one.pixels.begin());
+        if (entry.mistake == Mistake::red_and_blue) std::swap(one.pixels[0], one.pixels[2]);
+        for (std::size_t c = 0; c < 3; ++c) {
+          EXPECT_EQ(e->color[c], pixel[c]) << entry.key << " (" << x << ", " << y << ")";
+          if (entry.mistake != Mistake::gamma_applied) {
+            EXPECT_EQ(one.pixels[c], pixel[c]) << entry.key << " (" << x << ", " << y << ")";
+          }
+        }
+      }
+    }
+}
+
+/// Names the cause of every mistake that can be seen in every scene, in a form of the picture.
+void expect_named(const std::function<void(const Image&, const Folder&)>& write, double least) {
+  int right = 0, all = 0;
+  std::string wrong;
+  for (const Scene& scene : {course_scene(), second_scene(), third_scene()}) {
+    const Grader grader = Grader::create(scene, lab_options()).value();
+    for (const MistakeEntry& entry : all_mistakes()) {
+      // Where it shows first; the stage is known by the name.
+      const int stage = entry.first_stage == 1 ? 7 : entry.first_stage == 5 ? 7 : entry.first_stage;
+      const Image& picture = grader.picture(stage, entry.mistake);
+      const Errors seen = measure_errors(picture, grader.picture(stage), 2.5 / 255);
+      if (seen.share() < 0.005) continue;
+      const Folder folder;
+      write(picture, folder);
+      for (const auto& file : std::filesystem::directory_iterator(folder.path))
+        std::filesystem::rename(
+            file.path(), folder.path / (std::to_string(stage) + file.path().extension().string()));
+      std::ofstream(folder.file("8-letter.png")) << "no picture, and nobody looks";
+      const Grade grade = grader.grade(folder.path.string());
+      ASSERT_EQ(grade.stages.size(), 7u);
+      const StageGrade& judged = grade.stages[static_cast<std::size_t>(stage - 1)];
+      // Upside down and exchanged colours may also be undone before.
+      const bool undone = judged.verdict == Verdict::right &&
+                          ((entry.mistake == Mistake::y_down && judged.alignment.flipped) ||
+                           (entry.mistake == Mistake::red_and_blue && judged.alignment.swapped) ||
+                           (entry.mistake == Mistake::gamma_applied &&
+                            judged.alignment.curve != Alignment::Curve::none));
+      const bool named = std::find(judged.mistakes.begin(), judged.mistakes.end(), entry.mistake) !=
+                         judged.mistakes.end();
+      ++all;
+      if (named || undone)
+        ++right;
+      else
+        wrong += fmt::format(
+            "{} (stage {}, {:.1f} %) taken for {}\n", entry.key, stage, 100 * seen.share(),
+            judged.mistakes.empty() ? std::to_string(static_cast<int>(judged.verdict))
+                                    : std::string(entry_of(judged.mistakes[0]).key));
+    }
+  }
+  EXPECT_GE(right, least * all) << wrong;
+  EXPECT_GT(all, 80);
+  testing::Test::RecordProperty("named", right);
+  testing::Test::RecordProperty("of", all);
+}
+
+void save_png(const Image& image, const std::string& path) {
+  ASSERT_TRUE(write_png(image, path, {8, Transfer::linear}));
+}
+
+TEST(Grade, NamesTheCauseInPng) {
+  expect_named([](const Image& image, const Folder& f) { save_png(image, f.file("a.png")); }, 0.99);
+}
+
+TEST(Grade, NamesTheCauseInJpeg) {
+  expect_named(
+      [](const Image& image, const Folder& f) {
+        std::ofstream(f.file("a.jpg"), std::ios::binary) << jpeg_file(image, 90);
+      },
+      0.95);
+}
+
+TEST(Grade, NamesTheCauseUpsideDown) {
+  expect_named([](const Image& image,
+                  const Folder& f) { save_png(flipped_vertically(image), f.file("a.png")); },
+               0.95);
+}
+
+TEST(Grade, NamesTheCauseInAScaledScreenshot) {
+  expect_named(
+      [](const Image& image, const Folder& f) {
+        save_png(scaled_bilinearly(image, image.width * 5 / 4, image.height * 5 / 4),
+                 f.file("a.png"));
+      },
+      0.95);
+}
+
+TEST(Grade, GivesFullMarksToWhatIsRight) {
+  const Scene scene = course_scene();
+  const Grader grader = Grader::create(scene, lab_options()).value();
+  const auto expect_full = [&](const char* what, const auto& change, const char* extension) {
+    const Folder folder;
+    for (int stage = 1; stage <= 7; ++stage) {
+      const Image image = change(grader.picture(stage));
+      const std::string file = folder.file(fmt::format("slika{}.{}", stage, extension));
+      if (std::string(extension) == "jpg")
+        std::ofstream(file, std::ios::binary) << jpeg_file(image, 90);
+      else
+        save_png(image, file);
+    }
+    const Grade grade = grader.grade(folder.path.string());
+    EXPECT_EQ(grade.marks, 7) << what << "\n" << grade_text(Language::english, grader, grade);
+  };
+  const auto same = [](const Image& image) { return image; };
+  expect_full("png", same, "png");
+  expect_full("jpeg", same, "jpg");
+  expect_full("flip", flipped_vertically, "png");
+  expect_full("swapped", with_red_and_blue_swapped, "png");
+  expect_full(
+      "scaled",
+      [](const Image& image) {
+        return scaled_bilinearly(image, image.width * 5 / 4, image.height * 5 / 4);
+      },
+      "png");
+  expect_full("gamma", [](const Image& image) { return with_power(image, 1 / 2.2); }, "png");
+  expect_full(
+      "window",
+      [](const Image& image) {
+        Image window(image.width + 6, image.height + 22);
+        for (float& value : window.pixels) value = 0.8F;
+        for (std::uint32_t y = 0; y < image.height; ++y)
+          std::copy_n(image.row(y), 3 * image.width, window.row(y + 19) + 9);
+        return window;
+      },
+      "png");
+  expect_full(
+      "cut off",
+      [](const Image& image) { return cropped(image, 0, 9, image.width, image.height - 9); },
+      "png");
+}
+
+TEST(Grade, CountsAMistakeOnce) {
+  const Scene scene = course_scene();
+  const Grader grader = Grader::create(scene, lab_options()).value();
+  const Folder folder;
+  for (int stage = 1; stage <= 7; ++stage)
+    save_png(grader.picture(stage, Mistake::diffuse_sine),
+             folder.file(fmt::format("{}.png", stage)));
+  const Grade grade = grader.grade(folder.path.string());
+  EXPECT_EQ(grade.marks, 6.5);
+  EXPECT_EQ(grade.stages[2].mistakes, std::vector<Mistake>{Mistake::diffuse_sine});
+  EXPECT_TRUE(grade.stages[3].repeated);
+  const std::string text = grade_text(Language::croatian, grader, grade);
+  EXPECT_NE(text.find("difuzna komponenta ima sinus kuta umjesto kosinusa"), std::string::npos);
+}
+
+TEST(Grade, SaysWhatIsWrongWithSubmissions) {
+  const Scene scene = course_scene();
+  const Grader grader = Grader::create(scene, lab_options()).value();
+  const Folder folder;
+  const auto problem = [&](const std::string& path) {
+    const Grade grade = grader.grade(path);
+    EXPECT_EQ(grade.marks, 0);
+    return grade.problems.empty() ? std::string() : grade.problems.front().message;
+  };
+  EXPECT_EQ(problem(folder.file("nobody")), "there is no such file or folder");
+  EXPECT_EQ(problem(folder.path.string()), "there is no picture in it");
+  std::ofstream(folder.file("a.zip")) << "no archive";
+  EXPECT_EQ(problem(folder.file("a.zip")), "the archive is damaged or no zip");
+  std::ofstream(folder.file("7.png")) << "no picture";
+  const Grade grade = grader.grade(folder.path.string());
+  EXPECT_TRUE(grade.problems.empty());
+  EXPECT_EQ(grade.stages.front().verdict, Verdict::unreadable);
+}
+
+TEST(Submission, KnowsStagesByNames) {
+  const std::pair<const char*, int> names[] = {
+      {"1.png", 1},         {"v3-slika-5.jpg", 5},          {"Slika07.PNG", 7},
+      {"5-shadows.png", 5}, {"refrakcija.png", 7},          {"ambijentna+difuzna.png", 3},
+      {"siluete.png", 1},   {"contact-sheet.png", 8},       {"IMG_20261122.png", 0},
+      {"letter.png", 8},    {"reference-3-diffuse.png", 3}, {"stage-6-reflection.png", 6},
+      {"x.png", 0}};
+  for (const auto& [name, stage] : names) EXPECT_EQ(stage_of_name(name), stage) << name;
+}
+
+TEST(Rubric, IsReadOrRefused) {
+  const Folder folder;
+  const auto read = [&](const char* text) {
+    std::ofstream(folder.file("r.json")) << text;
+    const Result<Rubric> rubric = read_rubric(folder.file("r.json"));
+    return rubric ? std::string("read") : rubric.error().front().message;
+  };
+  EXPECT_EQ(read(R"({"marks": [1,1,2,2,3,3,4], "allowed": ["gamma"], "tolerance": 3})"), "read");
+  EXPECT_EQ(read("[]"), "it is no JSON object");
+  EXPECT_EQ(read(R"({"marks": [1]})"), "\"marks\" is not an array of seven numbers");
+  EXPECT_EQ(read(R"({"share": 2})"), "\"share\" is not a number from 0 to 1");
+  EXPECT_EQ(read(R"({"allowed": ["gama"]})"), "\"allowed\": there is no mistake 'gama'");
+  EXPECT_EQ(read(R"({"bonus": 1})"), "there is no \"bonus\" in a rubric");
+}
+
+}  // namespace
+}  // namespace zraka
