@@ -20,7 +20,7 @@ namespace {
 #ifdef ZRAKA_SANITIZED
 constexpr std::uint32_t kSide = 48;
 #else
-constexpr std::uint32_t kSide = 160;
+constexpr std::uint32_t kSide = 128;
 #endif
 
 Material glassy(Color color, double k1, double k2, double ratio) {

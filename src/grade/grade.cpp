@@ -27,8 +27,10 @@ constexpr double kExplained = 0.5;
 constexpr double kExplainedWithLoss = 0.2;
 /// What JPEG and scaling may add, as a root mean square of values of 0…1.
 constexpr double kLoss = 0.04;
-/// Mistakes whose pictures differ by less than this from the right one cannot be seen.
-constexpr double kInvisible = 1e-9;
+/// Pixels that may be left over where a mistake is named, and those of an edge that was blurred.
+constexpr double kRestOfMistake = 0.05, kEdges = 0.02;
+/// Pictures that differ by less than this are the same.
+constexpr double kSame = 1e-9;
 
 struct Candidate {
   Mistake mistake = Mistake::none;
@@ -88,11 +90,13 @@ const StagePictures& Grader::Impl::pictures(int stage) const {
     std::vector<Candidate> all;
     for (const MistakeEntry& entry : all_mistakes())
       if (entry.first_stage <= stage) all.push_back({entry.mistake, {}, {}});
-    const Region whole{0, 0, found.right.width, found.right.height};
     // Not by tasks: a thread that waits here could be given another submission meanwhile.
     for (Candidate& candidate : all) {
       candidate.picture = render_stage(stage, candidate.mistake);
-      if (mean_square(candidate.picture, found.right, whole) < kInvisible) continue;
+      // A picture that would pass for right is no picture of a mistake.
+      if (measure_errors(candidate.picture, found.right, (rubric.tolerance + 0.5) / 255).share() <=
+          rubric.share)
+        continue;
       candidate.coarse = coarse_of(candidate.picture);
       found.visible.push_back(std::move(candidate));
     }
@@ -192,12 +196,15 @@ StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) con
   for (const Alignment& kind : kinds) ways.push_back(aligned(fitted.image, kind));
   const Match match = best_match(stage, fitted, ways);
   const Image& image = ways[match.way];
-  const Image& named = match.candidate == nullptr ? wanted : match.candidate->picture;
   const double to_right = mean_square(image, through_scaling(wanted, fitted), fitted.region);
+  const Image& named = match.candidate == nullptr ? wanted : match.candidate->picture;
   grade.share_left = share_over(image, named);
 
-  const bool close = loss ? std::sqrt(match.distance) <= kLoss
-                          : grade.share_left <= (match.candidate == nullptr ? rubric.share : 0.05);
+  const double few = match.candidate == nullptr ? rubric.share : kRestOfMistake;
+  // Silhouettes are black and white, so that a pixel on the edge counts as much as any.
+  const bool close = !loss        ? grade.share_left <= few
+                     : stage == 1 ? grade.share_left <= std::max(few, kEdges)
+                                  : std::sqrt(match.distance) <= kLoss;
   const double explained = to_right > 0 ? 1 - match.distance / to_right : 1;
   if (match.candidate == nullptr) {
     settle(image, kinds[match.way], close ? Verdict::right : Verdict::differs);
@@ -206,8 +213,7 @@ StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) con
     // Several where the scene cannot tell them apart.
     const Region whole{0, 0, wanted.width, wanted.height};
     for (const Candidate& other : pictures(stage).visible)
-      if (mean_square(other.picture, named, whole) < kInvisible)
-        grade.mistakes.push_back(other.mistake);
+      if (mean_square(other.picture, named, whole) < kSame) grade.mistakes.push_back(other.mistake);
   } else {
     settle(image, kinds[match.way], Verdict::differs);
   }
