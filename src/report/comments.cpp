@@ -12,6 +12,11 @@ namespace {
 /// Shapes and lights that a sentence names before it says how many more there are.
 constexpr std::size_t kMostNamed = 4;
 
+std::string with_comma(Language language, std::string number) {
+  if (language == Language::croatian) std::replace(number.begin(), number.end(), '.', ',');
+  return number;
+}
+
 class Comments {
  public:
   Comments(Language language, const SceneFacts& scene, Stage stage)
@@ -156,7 +161,7 @@ void Comments::specular() {
   say(Word::report_specular, "Ii·ks·(R·V)ⁿ", "n");
   if (!facts_.change.on.empty())
     say(Word::report_highlights, listed(facts_.change.on, 0, [&](const ShapePixels& s) {
-          return fmt::format("{} (n = {}) {}", label(s), decimal(language_, s.material.shininess, 2),
+          return fmt::format("{} (n = {}) {}", label(s), with_comma(language_, fmt::format("{:.4g}", s.material.shininess)),
                              grouped(s.pixels));
         }));
   full();
@@ -251,6 +256,7 @@ void Comments::refraction() {
     say(Word::report_total, "D < 0", count(Counted::time, times), label(total.on[0], Case::locative),
         count(Counted::pixel, total.pixels), box.left, box.right, box.top, box.bottom);
     say(Word::report_total_sides, grouped(total.leaving), grouped(total.entering));
+    if (total.entering > 0) say(Word::report_total_outside);
     say(scene_.profile.mirror_when_total ? Word::report_total_mirrored : Word::report_total_black,
         "k2");
   }
@@ -296,13 +302,7 @@ std::string counted(Language language, Counted what, std::uint64_t number) {
 }
 
 std::string decimal(Language language, double value, int digits) {
-  std::string text = fmt::format("{:.{}f}", value, digits);
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-  }
-  if (language == Language::croatian) std::replace(text.begin(), text.end(), '.', ',');
-  return text;
+  return with_comma(language, fmt::format("{:.{}f}", value, digits));
 }
 
 }  // namespace zraka

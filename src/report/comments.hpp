@@ -18,7 +18,7 @@ std::vector<std::string> comments_on(Language language, const SceneFacts& scene,
 enum class Counted { pixel, ray, eye_ray, feeler, reflected, refracted, color, point, sphere, time };
 std::string counted(Language language, Counted what, std::uint64_t number);
 
-/// A number with so many digits after the point, a comma in Croatian; none where they are 0.
+/// A number with so many digits after the point, which is a comma in Croatian.
 std::string decimal(Language language, double value, int digits);
 
 }  // namespace zraka

@@ -64,7 +64,18 @@ class Page {
  private:
   template <class... Values>
   std::string say(Word word, const Values&... values) const {
-    return html_text(zraka::say(options_.language, word, values...));
+    return html(zraka::say(options_.language, word, values...));
+  }
+  /// Text for the page; the groups of a number's digits stay on one line.
+  static std::string html(const std::string& text) {
+    const auto digit = [&](std::size_t i) {
+      return i < text.size() && text[i] >= '0' && text[i] <= '9';
+    };
+    std::string together;
+    for (std::size_t i = 0; i < text.size(); ++i)
+      together += i > 0 && text[i] == ' ' && digit(i - 1) && digit(i + 1) ? "\u00A0"
+                                                                        : std::string(1, text[i]);
+    return html_text(together);
   }
   template <class... Values>
   void put(fmt::format_string<Values...> text, Values&&... values) {
@@ -91,8 +102,8 @@ class Page {
   std::string out_;
 };
 
-Word word_of_stage(std::size_t i) {
-  return static_cast<Word>(static_cast<std::size_t>(Word::stage_silhouette) + i);
+Word title_of(std::size_t i) {
+  return static_cast<Word>(static_cast<std::size_t>(Word::title_silhouette) + i);
 }
 
 void Page::head() {
@@ -140,7 +151,7 @@ void Page::figure(const std::string& png, const std::string& caption) {
 
 void Page::stage(std::size_t i) {
   const auto stage = static_cast<Stage>(i + 1);
-  const std::string title = html_text(capitalized(zraka::say(options_.language, word_of_stage(i))));
+  const std::string title = say(title_of(i));
   put("<article>\n<h3>{}</h3>\n<div class=\"pictures\">\n", title);
   figure(pictures_[i].picture, say(Word::report_stage_picture, i + 1));
   if (i > 0)
@@ -148,7 +159,7 @@ void Page::stage(std::size_t i) {
            say(Word::report_difference, i, std::lround(255 * pictures_[i].brightest)));
   put("</div>\n<p>");
   for (const std::string& sentence : comments_on(options_.language, facts_, stage))
-    put("{}\n", html_text(sentence));
+    put("{}\n", html(sentence));
   put("</p>\n</article>\n");
 }
 
@@ -175,7 +186,7 @@ void Page::times() {
   for (std::size_t i = 0; i < facts_.stages.size(); ++i) {
     const StageFacts& stage = facts_.stages[i];
     const double seconds = stage.build_seconds + stage.render_seconds;
-    const std::string title = html_text(capitalized(zraka::say(options_.language, word_of_stage(i))));
+    const std::string title = say(title_of(i));
     put("<tr><th>{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
         "<td>{}</td></tr>\n",
         title, grouped(stage.rays.camera), grouped(stage.rays.shadow),
