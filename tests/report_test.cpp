@@ -133,7 +133,8 @@ TEST(Report, CountsWhatTheExplanationsSay) {
           for (const ShapeId& id : blockers) ++throws[id];
         }
         std::set<ShapeId> totals;
-        for (const ExplainedRay& ray : explainer.pixel(x, y).value().trees[0].rays) {
+        const Explanation whole = explainer.pixel(x, y).value();
+        for (const ExplainedRay& ray : whole.trees[0].rays) {
           if (!ray.hit) continue;
           if (ray.hit->refracted.absence == Absence::total) {
             ++times;
@@ -193,13 +194,15 @@ TEST(Report, MentionsNothingThatDoesNotOccur) {
   const auto said = [&](Stage stage) { return all_comments(Language::english, facts, stage); };
   const std::string same = "No pixel changes: the picture is the same as the one before. ";
   EXPECT_EQ(said(Stage::specular),
-            same + "No shape that the eye sees has a specular share (ks = 0), so that there are no "
-                   "highlights. ");
-  EXPECT_EQ(said(Stage::shadows),
-            same + fmt::format("This takes {} feelers from points that face a light, to ask whether "
-                               "anything stands in the way; blocked: 0 (0.0 %). No feeler meets a "
-                               "shape on its way: every point that faces a light is lit by it. ",
-                               facts.stages[4].rays.shadow));
+            same +
+                "No shape that the eye sees has a specular share (ks = 0), so that there are no "
+                "highlights. ");
+  EXPECT_EQ(
+      said(Stage::shadows),
+      same + fmt::format("This takes {} feelers from points that face a light, to ask whether "
+                         "anything stands in the way; blocked: 0 (0.0 %). No feeler meets a "
+                         "shape on its way: every point that faces a light is lit by it. ",
+                         facts.stages[4].rays.shadow));
   EXPECT_EQ(said(Stage::reflection), same +
                                          "No shape that the eye sees reflects (k1 = 0), so that "
                                          "there are no reflected rays. ");
@@ -210,10 +213,11 @@ TEST(Report, MentionsNothingThatDoesNotOccur) {
 
 TEST(Report, IsTrueOfScenesWithNextToNothing) {
   Scene scene = lab_scene(10);
-  EXPECT_EQ(all_comments(Language::english, facts_of(scene, with(ProfileName::lab)), Stage::silhouette),
-            "The picture takes 100 rays from the eye, one through each pixel. The scene has no "
-            "shapes. No ray from the eye meets a shape, so that the picture is nothing but "
-            "background. ");
+  EXPECT_EQ(
+      all_comments(Language::english, facts_of(scene, with(ProfileName::lab)), Stage::silhouette),
+      "The picture takes 100 rays from the eye, one through each pixel. The scene has no "
+      "shapes. No ray from the eye meets a shape, so that the picture is nothing but "
+      "background. ");
   scene.lights.clear();
   add_sphere(scene, {0, 0, -2}, 50, {.reflection = 0.5, .refraction = 0.5});
   RenderOptions options = with(ProfileName::lab);
@@ -226,8 +230,9 @@ TEST(Report, IsTrueOfScenesWithNextToNothing) {
   EXPECT_EQ(all_comments(Language::english, facts, Stage::reflection),
             same + "The depth is 0, so that rays from the eye have no successors. ");
   EXPECT_EQ(all_comments(Language::english, facts, Stage::refraction),
-            same + "The depth of 0 is reached: points whose reflected ray is not followed: 100; "
-                   "whose refracted ray is not followed: 100. ");
+            same +
+                "The depth of 0 is reached: points whose reflected ray is not followed: 100; "
+                "whose refracted ray is not followed: 100. ");
 }
 
 TEST(Report, IsCroatianInCroatian) {
@@ -257,17 +262,21 @@ TEST(Report, IsOneFileWithAllItsPictures) {
 }
 
 TEST(Report, CountsInCroatian) {
-  const auto pixels = [](std::uint64_t n) { return counted(Language::croatian, Counted::pixel, n); };
+  const auto pixels = [](std::uint64_t n) {
+    return counted(Language::croatian, Counted::pixel, n);
+  };
   EXPECT_EQ(pixels(1), "1 piksel");
   EXPECT_EQ(pixels(3), "3 piksela");
   EXPECT_EQ(pixels(11), "11 piksela");
   EXPECT_EQ(pixels(101), "101 piksel");
-  const auto rays = [](std::uint64_t n) { return counted(Language::croatian, Counted::reflected, n); };
+  const auto rays = [](std::uint64_t n) {
+    return counted(Language::croatian, Counted::reflected, n);
+  };
   EXPECT_EQ(rays(1), "1 odbijene zrake");
   EXPECT_EQ(rays(22), "22 odbijene zrake");
   EXPECT_EQ(rays(12), "12 odbijenih zraka");
   EXPECT_EQ(rays(112), "112 odbijenih zraka");
-  EXPECT_EQ(counted(Language::english, Counted::time, 1), "once");
+  EXPECT_EQ(counted(Language::english, Counted::time, 1), "1 time");
   EXPECT_EQ(counted(Language::english, Counted::pixel, 21), "21 pixels");
   EXPECT_EQ(decimal(Language::croatian, 7.25, 1), "7,2");
 }
@@ -279,7 +288,8 @@ TEST(Report, NamesTheArchiveAfterTheAuthor) {
   EXPECT_EQ(archive_name("a\\b\n*?\"<>|:x"), "OVO-V3-Rezultati-ABX.zip");
   EXPECT_EQ(archive_name("Conan O'Brien"), "OVO-V3-Rezultati-ConanOBrien.zip");
   EXPECT_EQ(archive_name(std::string(1000, 'a')).size(), 17u + 100u + 4u);
-  for (const char* none : {"", " ", "..", "1234", "\xFF", "张伟"}) EXPECT_EQ(archive_name(none), "");
+  for (const char* none : {"", " ", "..", "1234", "\xFF", "张伟"})
+    EXPECT_EQ(archive_name(none), "");
   EXPECT_EQ(initial_of("Ana Šarić"), "Š");
   EXPECT_EQ(initial_of("Petar njegoš "), "Nj");
   EXPECT_EQ(initial_of("Ljubić"), "Lj");

@@ -58,8 +58,8 @@ Result<void> add_stage(Report& report, Language language, Stage stage,
 Result<void> add_letter(Report& report, Language language, const std::string& text,
                         const Scene& of_stages, RenderOptions options) {
   LetterOptions letter;
-  letter.resolution = std::min(
-      std::max(of_stages.resolution.width, of_stages.resolution.height), kMostLetterPixels);
+  letter.resolution = std::min(std::max(of_stages.resolution.width, of_stages.resolution.height),
+                               kMostLetterPixels);
   const Result<Scene> scene = generate_letter(text, letter);
   if (!scene) return tl::make_unexpected(scene.error());
   options.profile = profile_of(scene->default_profile);
@@ -81,10 +81,10 @@ int run(const Words& words) {
   const Language language = *language_named(words.language);
   const std::string archive = archive_name(words.author);
   if (words.zip && archive.empty())
-    return fail(failure("", fmt::format("'{}' has no letter for the archive's name",
-                                        shown(words.author)),
-                        "--author takes a name in Latin letters, as in --author 'Ana Šarić'")
-                    .value());
+    return fail(
+        failure("", fmt::format("'{}' has no letter for the archive's name", shown(words.author)),
+                "--author takes a name in Latin letters, as in --author 'Ana Šarić'")
+            .value());
   Result<Scene> scene = words.load();
   if (!scene) return fail(scene.error());
   // The pictures of two stages, their difference, and all files are in memory at once.

@@ -29,8 +29,7 @@ std::vector<std::string> words_of(const std::string& author) {
     i += length;
     bool latin = (first >= 'A' && first <= 'Z') || (first >= 'a' && first <= 'z');
     if (length == 2) {
-      const unsigned code =
-          (first & 0x1Fu) << 6 | (static_cast<unsigned char>(letter[1]) & 0x3Fu);
+      const unsigned code = (first & 0x1Fu) << 6 | (static_cast<unsigned char>(letter[1]) & 0x3Fu);
       latin = code >= 0xC0 && code <= 0x24F && code != 0xD7 && code != 0xF7;
     }
     if (latin && ++letters > kMostLetters) break;
@@ -74,7 +73,8 @@ Result<std::string> zip_of(const std::vector<NamedBytes>& files) {
   };
   const auto problem = [&] {
     const char* why = writer ? archive_error_string(writer.get()) : nullptr;
-    return failure("", fmt::format("the archive cannot be made: {}", why ? why : "not enough memory"));
+    return failure("",
+                   fmt::format("the archive cannot be made: {}", why ? why : "not enough memory"));
   };
   if (!writer || archive_write_set_format_zip(writer.get()) != ARCHIVE_OK ||
       archive_write_set_bytes_in_last_block(writer.get(), 1) != ARCHIVE_OK ||

@@ -16,13 +16,13 @@ struct NamedBytes {
 /// A zip file, deflated and without dates, so that equal files make equal archives.
 Result<std::string> zip_of(const std::vector<NamedBytes>& files);
 
-/// "OVO-V3-Rezultati-AnaŠarić.zip" for "Ana Šarić" (sheet, section 7): Latin letters stay, as UTF-8,
-/// each word with a capital; all else, whatever a path could be made of, is left out. "" where no
-/// letter is left or the name is no UTF-8.
+/// "OVO-V3-Rezultati-AnaŠarić.zip" for "Ana Šarić" (sheet, section 7): Latin letters stay, as
+/// UTF-8, each word with a capital; all else, whatever a path could be made of, is left out. ""
+/// where no letter is left or the name is no UTF-8.
 std::string archive_name(const std::string& author);
 
-/// The letter that the last of the names begins with; in Croatian Dž, Lj and Nj are one. "" where it
-/// begins with none.
+/// The letter that the last of the names begins with; in Croatian Dž, Lj and Nj are one. "" where
+/// it begins with none.
 std::string initial_of(const std::string& author);
 
 }  // namespace zraka

@@ -40,7 +40,8 @@ class Comments {
     return counted(language_, what, number);
   }
   std::string share(std::uint64_t part, std::uint64_t whole) const {
-    const double percent = 100 * static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(whole, 1));
+    const double percent =
+        100 * static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(whole, 1));
     return percent > 0 && percent < 0.05 ? "< " + decimal(language_, 0.1, 1)
                                          : decimal(language_, percent, 1);
   }
@@ -91,9 +92,11 @@ void Comments::change() {
   else
     how = text(Word::report_mixed, grouped(c.brighter), grouped(c.darker));
   if (c.brighter + c.darker < c.pixels)
-    how = text(Word::report_as_bright, text(Word::report_mixed, grouped(c.brighter), grouped(c.darker)),
+    how = text(Word::report_as_bright,
+               text(Word::report_mixed, grouped(c.brighter), grouped(c.darker)),
                grouped(c.pixels - c.brighter - c.darker));
-  say(Word::report_changed, count(Counted::pixel, c.pixels), share(c.pixels, pixels()), how, c.largest);
+  say(Word::report_changed, count(Counted::pixel, c.pixels), share(c.pixels, pixels()), how,
+      c.largest);
 }
 
 void Comments::mostly_on() {
@@ -161,7 +164,8 @@ void Comments::specular() {
   say(Word::report_specular, "Ii·ks·(R·V)ⁿ", "n");
   if (!facts_.change.on.empty())
     say(Word::report_highlights, listed(facts_.change.on, 0, [&](const ShapePixels& s) {
-          return fmt::format("{} (n = {}) {}", label(s), with_comma(language_, fmt::format("{:.4g}", s.material.shininess)),
+          return fmt::format("{} (n = {}) {}", label(s),
+                             with_comma(language_, fmt::format("{:.4g}", s.material.shininess)),
                              grouped(s.pixels));
         }));
   full();
@@ -253,8 +257,9 @@ void Comments::refraction() {
     say(Word::report_total_none);
   } else {
     const PixelBox& box = total.box;
-    say(Word::report_total, "D < 0", count(Counted::time, times), label(total.on[0], Case::locative),
-        count(Counted::pixel, total.pixels), box.left, box.right, box.top, box.bottom);
+    say(Word::report_total, "D < 0", count(Counted::time, times),
+        label(total.on[0], Case::locative), count(Counted::pixel, total.pixels), box.left,
+        box.right, box.top, box.bottom);
     say(Word::report_total_sides, grouped(total.leaving), grouped(total.entering));
     if (total.entering > 0) say(Word::report_total_outside);
     say(scene_.profile.mirror_when_total ? Word::report_total_mirrored : Word::report_total_black,
@@ -266,13 +271,27 @@ void Comments::refraction() {
 
 std::vector<std::string> Comments::write(Stage stage) {
   switch (stage) {
-    case Stage::silhouette: silhouette(); break;
-    case Stage::ambient: ambient(); break;
-    case Stage::diffuse: diffuse(); break;
-    case Stage::specular: specular(); break;
-    case Stage::shadows: shadows(); break;
-    case Stage::reflection: reflection(); break;
-    case Stage::refraction: refraction(); break;
+    case Stage::silhouette:
+      silhouette();
+      break;
+    case Stage::ambient:
+      ambient();
+      break;
+    case Stage::diffuse:
+      diffuse();
+      break;
+    case Stage::specular:
+      specular();
+      break;
+    case Stage::shadows:
+      shadows();
+      break;
+    case Stage::reflection:
+      reflection();
+      break;
+    case Stage::refraction:
+      refraction();
+      break;
   }
   return std::move(sentences_);
 }

@@ -88,9 +88,9 @@ Result<RayTally> Measurement::listen() {
   tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                             static_cast<std::size_t>(threads));
   tbb::enumerable_thread_specific<std::unique_ptr<StageListener>> listeners([&] {
-    return std::make_unique<StageListener>(
-        frozen(), settings, corners, static_cast<std::int32_t>(size.width),
-        static_cast<std::int32_t>(size.height), side * side);
+    return std::make_unique<StageListener>(frozen(), settings, corners,
+                                           static_cast<std::int32_t>(size.width),
+                                           static_cast<std::int32_t>(size.height), side * side);
   });
   const bool complete =
       each_tile(size.width, size.height, tile, threads, options_.cancel,
@@ -243,9 +243,8 @@ Result<SceneFacts> measure_stages(
     }
     return std::move(measurement.facts);
   } catch (const std::bad_alloc&) {
-    return failure(
-        "", fmt::format("not enough memory for the stages of a picture of {}×{} pixels",
-                        scene.resolution.width, scene.resolution.height));
+    return failure("", fmt::format("not enough memory for the stages of a picture of {}×{} pixels",
+                                   scene.resolution.width, scene.resolution.height));
   }
 }
 

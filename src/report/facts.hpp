@@ -20,14 +20,14 @@ struct ShapePixels {
 
 /// The pixels of a picture as a file of 8 bits a channel holds it, against the picture before.
 struct Change {
-  std::uint64_t pixels = 0;             ///< with a channel that differs
-  std::uint64_t brighter = 0;           ///< of these, with a larger sum of their channels
-  std::uint64_t darker = 0;             ///< with a smaller sum
-  int largest = 0;                      ///< difference of a channel, in steps of 255
-  std::uint64_t full = 0;               ///< pixels of the picture with a channel of 255
-  std::uint64_t colors = 0;             ///< different ones in the picture of the ambient stage
-  std::vector<ShapePixels> on;          ///< changed pixels by the shape that is seen there
-  std::uint64_t on_background = 0;      ///< changed pixels that show no shape
+  std::uint64_t pixels = 0;         ///< with a channel that differs
+  std::uint64_t brighter = 0;       ///< of these, with a larger sum of their channels
+  std::uint64_t darker = 0;         ///< with a smaller sum
+  int largest = 0;                  ///< difference of a channel, in steps of 255
+  std::uint64_t full = 0;           ///< pixels of the picture with a channel of 255
+  std::uint64_t colors = 0;         ///< different ones in the picture of the ambient stage
+  std::vector<ShapePixels> on;      ///< changed pixels by the shape that is seen there
+  std::uint64_t on_background = 0;  ///< changed pixels that show no shape
 };
 
 /// One light at the points that rays from the eye meet.
@@ -60,8 +60,8 @@ struct StageFacts {
   std::vector<LightFacts> lights;  ///< where the stage has diffuse or specular terms
   std::uint64_t unlit = 0;         ///< points that no light reaches, as far as the stage checks it
   std::vector<ShadowFacts> shadows;
-  std::uint64_t shadowed = 0;           ///< pixels with a feeler that meets a shape
-  std::vector<ShapePixels> mirrored;    ///< shapes by the pixels where a reflected ray meets them
+  std::uint64_t shadowed = 0;             ///< pixels with a feeler that meets a shape
+  std::vector<ShapePixels> mirrored;      ///< shapes by the pixels where a reflected ray meets them
   std::vector<ShapePixels> seen_through;  ///< the same for refracted rays, their glass aside
   std::uint64_t entering = 0, leaving = 0;  ///< refracted rays into shapes and out of them
   TotalFacts total;
@@ -77,11 +77,11 @@ struct SceneFacts {
   int max_depth = 0;
   int threads = 0;
   Isa isa = Isa::portable;
-  std::uint64_t shapes = 0;        ///< in the scene
-  std::size_t lights = 0;          ///< in the scene
-  bool dark = false;               ///< no ambient light
-  std::uint64_t covered = 0;       ///< pixels that show a shape, if only in a corner
-  std::vector<ShapePixels> seen;   ///< shapes that rays from the eye meet
+  std::uint64_t shapes = 0;       ///< in the scene
+  std::size_t lights = 0;         ///< in the scene
+  bool dark = false;              ///< no ambient light
+  std::uint64_t covered = 0;      ///< pixels that show a shape, if only in a corner
+  std::vector<ShapePixels> seen;  ///< shapes that rays from the eye meet
   std::array<StageFacts, 7> stages;
 };
 

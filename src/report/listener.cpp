@@ -113,6 +113,7 @@ void StageListener::at_light(std::int32_t light, std::size_t feelers, const Leve
     facts.blocked += counted(h);
     const std::int32_t by = terms_.blocker(i, s), on = s.slot[level.hits.ray[h]];
     const std::size_t from = root(0, level, h);
+    if (by < 0) continue;
     note(Tie::shadow_by, by, -1, from);
     note(Tie::shadow_on, by, on, from);
     note(Tie::shadow_by, kAnyShape, -1, from);

@@ -84,7 +84,7 @@ class StageListener {
   TileRect tile_{};
   std::vector<TileRect> places_;  ///< by ray from the eye: its pixels, in the tile
   std::vector<bool> counts_;      ///< by ray from the eye: false if it is another tile's, too
-  std::vector<std::int32_t> first_slot_;  ///< by ray from the eye: what it meets
+  std::vector<std::int32_t> first_slot_;           ///< by ray from the eye: what it meets
   std::vector<std::vector<std::uint32_t>> roots_;  ///< by level and ray
   std::vector<std::vector<bool>> refracted_;       ///< by level and ray: was it, or its parents?
   std::vector<bool> reached_;                      ///< by point: does a light reach it?

@@ -74,7 +74,7 @@ class Page {
     std::string together;
     for (std::size_t i = 0; i < text.size(); ++i)
       together += i > 0 && text[i] == ' ' && digit(i - 1) && digit(i + 1) ? "\u00A0"
-                                                                        : std::string(1, text[i]);
+                                                                          : std::string(1, text[i]);
     return html_text(together);
   }
   template <class... Values>
