@@ -42,6 +42,7 @@ class Comments {
   std::string share(std::uint64_t part, std::uint64_t whole) const {
     const double percent =
         100 * static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(whole, 1));
+    if (percent > 99.95 && part < whole) return "> " + decimal(language_, 99.9, 1);
     return percent > 0 && percent < 0.05 ? "< " + decimal(language_, 0.1, 1)
                                          : decimal(language_, percent, 1);
   }
@@ -58,7 +59,7 @@ class Comments {
     for (std::size_t i = first; i < list.size() && i < first + kMostNamed; ++i)
       all += fmt::format("{}{}", i == first ? "" : ", ", text_of_one(list[i]));
     return list.size() > first + kMostNamed
-               ? text(Word::report_and_more, all, list.size() - first - kMostNamed)
+               ? text(Word::report_and_more, all, grouped(list.size() - first - kMostNamed))
                : all;
   }
 

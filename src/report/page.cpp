@@ -18,7 +18,7 @@ constexpr std::string_view kPageCss =
 
 /// The sheet's formulas in MathML (3.3 to 3.6).
 constexpr std::string_view kHitFormula =
-    "<msup><mrow><mo>|</mo><mi>P</mi><mo>+</mo><mi>t</mi><mi>D</mi><mo>−</mo><mi>C</mi><mo>|</mo>"
+    "<msup><mrow><mo>|</mo><mi>P</mi><mo>+</mo><mi>t</mi><mi>S</mi><mo>−</mo><mi>C</mi><mo>|</mo>"
     "</mrow><mn>2</mn></msup><mo>=</mo><msup><mi>r</mi><mn>2</mn></msup>";
 constexpr std::string_view kLightFormula =
     "<mi>I</mi><mo>=</mo><msub><mi>I</mi><mi>a</mi></msub><msub><mi>k</mi><mi>a</mi></msub>"
@@ -32,11 +32,14 @@ constexpr std::string_view kReflectionFormula =
 constexpr std::string_view kRefractionFormula =
     "<mi>R</mi><mo>=</mo><mo>−</mo><mi>a</mi><mi>N</mi><mo>−</mo><mi>b</mi><mi>U</mi><mo>,</mo>"
     "<mspace width=\"1em\"/><mi>b</mi><mo>=</mo><mfrac><msub><mi>n</mi><mn>1</mn></msub>"
-    "<msub><mi>n</mi><mn>2</mn></msub></mfrac><mo>,</mo><mspace width=\"1em\"/><mi>a</mi><mo>=</mo>"
-    "<mfrac><mrow><msqrt><mi>D</mi></msqrt><mo>−</mo><mn>2</mn><mi>b</mi><mi>cos</mi><mi>α</mi>"
-    "</mrow><mn>2</mn></mfrac><mo>,</mo><mspace width=\"1em\"/><mi>D</mi><mo>=</mo><mn>4</mn>"
-    "<mo>(</mo><msup><mi>b</mi><mn>2</mn></msup><msup><mi>cos</mi><mn>2</mn></msup><mi>α</mi>"
-    "<mo>−</mo><msup><mi>b</mi><mn>2</mn></msup><mo>+</mo><mn>1</mn><mo>)</mo>";
+    "<msub><mi>n</mi><mn>2</mn></msub></mfrac>";
+constexpr std::string_view kAlongNormalFormula =
+    "<mi>a</mi><mo>=</mo><mfrac><mrow><msqrt><mi>D</mi></msqrt><mo>−</mo><mn>2</mn><mi>b</mi>"
+    "<mi>cos</mi><mi>α</mi></mrow><mn>2</mn></mfrac>";
+constexpr std::string_view kDiscriminantFormula =
+    "<mi>D</mi><mo>=</mo><mn>4</mn><mo>(</mo><msup><mi>b</mi><mn>2</mn></msup>"
+    "<msup><mi>cos</mi><mn>2</mn></msup><mi>α</mi><mo>−</mo><msup><mi>b</mi><mn>2</mn></msup>"
+    "<mo>+</mo><mn>1</mn><mo>)</mo>";
 constexpr std::string_view kSumFormula =
     "<mi>C</mi><mo>=</mo><mi>I</mi><mo>+</mo><msub><mi>k</mi><mn>1</mn></msub>"
     "<msub><mi>C</mi><mi>refl</mi></msub><mo>+</mo><msub><mi>k</mi><mn>2</mn></msub>"
@@ -138,6 +141,8 @@ void Page::method() {
   paragraph(say(Word::method_shadow));
   paragraph(say(Word::method_reflection), kReflectionFormula);
   paragraph(say(Word::method_refraction), kRefractionFormula);
+  for (const std::string_view more : {kAlongNormalFormula, kDiscriminantFormula})
+    put("<math display=\"block\">{}</math>\n", more);
   put("<p>{}</p>\n", say(Word::method_total));
   paragraph(say(Word::method_sum, facts_.max_depth), kSumFormula);
   put("<p>{}</p>\n</section>\n", say(Word::method_clamp));
