@@ -108,7 +108,7 @@ TEST(Report, CountsWhatTheExplanationsSay) {
     options.max_depth = 5;
     const SceneFacts facts = facts_of(named.scene, options);
     const StageFacts &shadows = facts.stages[4], &last = facts.stages[6];
-    std::map<ShapeId, std::uint64_t> seen, throws, total;
+    std::map<ShapeId, std::uint64_t> seen, throws, total, mirrored, through;
     std::uint64_t times = 0, ended_reflected = 0, ended_refracted = 0, unlit = 0, total_pixels = 0;
     std::vector<std::uint64_t> blocked(named.scene.lights.size());
     RenderOptions shadow_options = options;
@@ -132,10 +132,16 @@ TEST(Report, CountsWhatTheExplanationsSay) {
           unlit += !lit;
           for (const ShapeId& id : blockers) ++throws[id];
         }
-        std::set<ShapeId> totals;
+        std::set<ShapeId> totals, in_mirror, behind_glass;
+        std::vector<bool> bent;  // by ray: was it refracted, or one that it comes from?
         const Explanation whole = explainer.pixel(x, y).value();
         for (const ExplainedRay& ray : whole.trees[0].rays) {
+          bent.push_back(ray.kind == RayKind::refracted ||
+                         (ray.parent >= 0 && bent[static_cast<std::size_t>(ray.parent)]));
           if (!ray.hit) continue;
+          if (ray.depth > 0 && !bent.back()) in_mirror.insert(ray.hit->shape.id);
+          if (bent.back() && (!ray.hit->flipped || ray.hit->k2 == 0))
+            behind_glass.insert(ray.hit->shape.id);
           if (ray.hit->refracted.absence == Absence::total) {
             ++times;
             totals.insert(ray.hit->shape.id);
@@ -145,6 +151,8 @@ TEST(Report, CountsWhatTheExplanationsSay) {
         }
         total_pixels += !totals.empty();
         for (const ShapeId& id : totals) ++total[id];
+        for (const ShapeId& id : in_mirror) ++mirrored[id];
+        for (const ShapeId& id : behind_glass) ++through[id];
       }
     const auto as_map = [](const std::vector<ShapePixels>& shapes) {
       std::map<ShapeId, std::uint64_t> map;
@@ -153,6 +161,8 @@ TEST(Report, CountsWhatTheExplanationsSay) {
     };
     EXPECT_EQ(as_map(facts.seen), seen) << named.name;
     EXPECT_EQ(as_map(last.total.on), total) << named.name;
+    EXPECT_EQ(as_map(last.mirrored), mirrored) << named.name;
+    EXPECT_EQ(as_map(last.seen_through), through) << named.name;
     EXPECT_EQ(last.total.pixels, total_pixels);
     EXPECT_EQ(last.total.entering + last.total.leaving, times) << named.name;
     EXPECT_EQ(last.ended_reflected, ended_reflected) << named.name;
@@ -286,6 +296,7 @@ TEST(Report, NamesTheArchiveAfterTheAuthor) {
   EXPECT_EQ(archive_name("đuro horvat-babić"), "OVO-V3-Rezultati-ĐuroHorvatBabić.zip");
   EXPECT_EQ(archive_name("../../etc/passwd"), "OVO-V3-Rezultati-EtcPasswd.zip");
   EXPECT_EQ(archive_name("a\\b\n*?\"<>|:x"), "OVO-V3-Rezultati-ABX.zip");
+  EXPECT_EQ(archive_name("«Ana» × ª÷Šarić"), "OVO-V3-Rezultati-AnaŠarić.zip");
   EXPECT_EQ(archive_name("Conan O'Brien"), "OVO-V3-Rezultati-ConanOBrien.zip");
   EXPECT_EQ(archive_name(std::string(1000, 'a')).size(), 17u + 100u + 4u);
   for (const char* none : {"", " ", "..", "1234", "\xFF", "张伟"})

@@ -62,7 +62,7 @@ struct StageFacts {
   std::vector<ShadowFacts> shadows;
   std::uint64_t shadowed = 0;             ///< pixels with a feeler that meets a shape
   std::vector<ShapePixels> mirrored;      ///< shapes by the pixels where a reflected ray meets them
-  std::vector<ShapePixels> seen_through;  ///< the same for refracted rays, their glass aside
+  std::vector<ShapePixels> seen_through;  ///< the same for refracted rays; no glass from inside
   std::uint64_t entering = 0, leaving = 0;  ///< refracted rays into shapes and out of them
   TotalFacts total;
   /// Points at the greatest depth whose shares ask for a reflected or refracted ray.

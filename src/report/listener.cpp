@@ -84,7 +84,7 @@ void StageListener::at_hits(const Level<float>& level, const Scratch<float>& s) 
       if (settings_.terms.silhouette) note(Tie::seen, slot, -1, from);
     } else if (!refracted_[depth][static_cast<std::size_t>(level.done) + ray]) {
       note(Tie::mirrored, slot, -1, from);
-    } else if (s.inside[h] == 0) {
+    } else if (s.inside[h] == 0 || material(s, h, kRefraction) == 0) {
       note(Tie::seen_through, slot, -1, from);
     }
     if (!counts_[from]) continue;

@@ -17,7 +17,7 @@ enum class Tie : std::uint8_t {
   shadow_by,     ///< a feeler from a point that the eye sees meets it first
   shadow_on,     ///< the same, with the shape that the point is on
   mirrored,      ///< a reflected ray meets it
-  seen_through,  ///< a refracted ray, or one that comes from it, meets it from outside
+  seen_through,  ///< a refracted ray, or one that comes from it, meets it; not glass from inside
   total          ///< a ray is reflected totally at it
 };
 
