@@ -84,7 +84,7 @@ Result<RayTally> Measurement::listen() {
   const int threads = options_.threads == 0 ? tbb::info::default_concurrency() : options_.threads;
   const bool corners = options_.profile.average_corners;
   const std::int32_t side = tile + (corners ? 1 : 0);
-  const TraceSettings settings = settings_of(options_);
+  const TraceSettings settings = settings_of(options_, prepared_.frame);
   tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                             static_cast<std::size_t>(threads));
   tbb::enumerable_thread_specific<std::unique_ptr<StageListener>> listeners([&] {
