@@ -25,9 +25,9 @@ TEST(Words, HaveTheSamePlacesInAllLanguages) {
     EXPECT_FALSE(english.empty()) << name_of(word);
     EXPECT_FALSE(croatian.empty()) << name_of(word);
     EXPECT_EQ(places(english), places(croatian)) << name_of(word);
-    const std::string values[] = {"a", "b", "c", "d"};
+    const std::string v[] = {"a", "b", "c", "d", "e", "f", "g", "h"};
     for (const Language language : {Language::english, Language::croatian})
-      EXPECT_NO_THROW(say(language, word, values[0], values[1], values[2], values[3]))
+      EXPECT_NO_THROW(say(language, word, v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]))
           << name_of(word);
   }
 }

@@ -4,10 +4,10 @@
 
 #include <array>
 #include <filesystem>
-#include <system_error>
 
 #include "commands.hpp"
 #include "contact_sheet.hpp"
+#include "core/file.hpp"
 #include "core/text.hpp"
 #include "progress.hpp"
 #include "render_options.hpp"
@@ -22,13 +22,6 @@ constexpr std::uint32_t kThumbnail = 240;
 struct Words : RenderWords {
   std::string folder;
 };
-
-Result<void> make_folder(const std::string& path) {
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error) return failure(path, fmt::format("cannot be made a folder: {}", error.message()));
-  return {};
-}
 
 Result<std::array<Image, kStages>> render_stages(const Words& words, const Scene& scene,
                                                  RenderOptions options) {

@@ -227,6 +227,13 @@ Result<void> NewFile::commit() {
   return {};
 }
 
+Result<void> make_folder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) return failure(path, fmt::format("cannot be made a folder: {}", error.message()));
+  return {};
+}
+
 Result<void> write_text_file(const std::string& path, std::string_view text) {
   Result<NewFile> file = NewFile::create(path);
   if (!file) return tl::make_unexpected(file.error());

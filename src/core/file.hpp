@@ -35,6 +35,9 @@ class FileText {
   std::size_t size_ = 0;
 };
 
+/// Makes a folder, and those above it, where it is not there yet.
+Result<void> make_folder(const std::string& path);
+
 /// A file that comes into being when it is complete: written beside its name, then renamed over it.
 /// Without commit() nothing stays behind.
 class NewFile {

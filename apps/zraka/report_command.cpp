@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// zraka report: what the lab's sheet wants handed in, written from what was measured.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "commands.hpp"
+#include "core/file.hpp"
+#include "core/text.hpp"
+#include "generate/letter.hpp"
+#include "image/alter.hpp"
+#include "progress.hpp"
+#include "render_options.hpp"
+#include "report/archive.hpp"
+#include "report/page.hpp"
+#include "terminal.hpp"
+
+namespace zraka::app {
+namespace {
+
+constexpr std::uint32_t kMostLetterPixels = 2000;
+
+struct Words : RenderWords {
+  std::string folder, letter, author, language = "en";
+  bool zip = false;
+};
+
+/// All that a report consists of, before any of it is written.
+struct Report {
+  std::vector<NamedBytes> files;
+  std::array<ReportPicture, 7> pictures;
+  std::optional<ReportLetter> letter;
+};
+
+Result<void> add_stage(Report& report, Language language, Stage stage,
+                       const StagePictures& pictures) {
+  const auto i = static_cast<std::size_t>(stage) - 1;
+  const auto name = static_cast<Word>(static_cast<std::size_t>(Word::file_silhouette) + i);
+  ReportPicture& of_page = report.pictures[i];
+  const auto add = [&](const Image& image, const std::string& file,
+                       std::string& png) -> Result<void> {
+    const Result<std::string> bytes = encode_png(image);
+    if (!bytes) return tl::make_unexpected(bytes.error());
+    const Result<std::string> small = png_for_page(image);
+    if (!small) return tl::make_unexpected(small.error());
+    png = *small;
+    report.files.push_back({file + ".png", *bytes});
+    return {};
+  };
+  Result<void> added =
+      add(pictures.picture, fmt::format("{}-{}", i + 1, text_of(language, name)), of_page.picture);
+  if (added && stage != Stage::silhouette)
+    added = add(pictures.changes, say(language, Word::file_difference, i, i + 1), of_page.changes);
+  of_page.brightest = pictures.brightest;
+  return added;
+}
+
+Result<void> add_letter(Report& report, Language language, const std::string& text,
+                        const Scene& of_stages, RenderOptions options) {
+  LetterOptions letter;
+  letter.resolution = std::min(std::max(of_stages.resolution.width, of_stages.resolution.height),
+                               kMostLetterPixels);
+  const Result<Scene> scene = generate_letter(text, letter);
+  if (!scene) return tl::make_unexpected(scene.error());
+  options.profile = profile_of(scene->default_profile);
+  const Result<Rendering> rendering = render(*scene, options);
+  if (!rendering) return tl::make_unexpected(rendering.error());
+  const Image stored = as_stored(rendering->image, options.profile.transfer, 8);
+  const Result<std::string> png = encode_png(stored), small = png_for_page(stored),
+                            input = write_lab_input(*scene);
+  for (const Result<std::string>* made : {&png, &small, &input})
+    if (!*made) return tl::make_unexpected(made->error());
+  const std::string name(text_of(language, Word::file_letter));
+  report.files.push_back({fmt::format("8-{}.png", name), *png});
+  report.files.push_back({name + ".txt", *input});
+  report.letter = ReportLetter{text, scene->shape_count(), rendering->stats, *small};
+  return {};
+}
+
+int run(const Words& words) {
+  const Language language = *language_named(words.language);
+  const std::string archive = archive_name(words.author);
+  if (words.zip && archive.empty())
+    return fail(
+        failure("", fmt::format("'{}' has no letter for the archive's name", shown(words.author)),
+                "--author takes a name in Latin letters, as in --author 'Ana Šarić'")
+            .value());
+  Result<Scene> scene = words.load();
+  if (!scene) return fail(scene.error());
+  // The pictures of two stages, their difference, and all files are in memory at once.
+  const std::uint64_t pixels = std::uint64_t{scene->resolution.width} * scene->resolution.height;
+  if (pixels > kMaxPixels / 8)
+    return fail(
+        failure(words.scene,
+                fmt::format("its stages have {} pixels each: {} at most", pixels, kMaxPixels / 8),
+                "ask for smaller pictures with --width")
+            .value());
+  const Result<void> folder = make_folder(words.folder);
+  if (!folder) return fail(folder.error());
+
+  Report report;
+  RenderOptions options = words.options(*scene);
+  Result<SceneFacts> facts = [&] {
+    Progress progress(words.quiet);
+    options.progress = progress.callback();
+    return measure_stages(*scene, options, [&](Stage stage, const StagePictures& pictures) {
+      return add_stage(report, language, stage, pictures);
+    });
+  }();
+  if (!facts) return fail(facts.error());
+  options.progress = {};
+  const std::string letter = words.letter.empty() ? initial_of(words.author) : words.letter;
+  if (!letter.empty()) {
+    const Result<void> added = add_letter(report, language, letter, *scene, options);
+    if (!added) return fail(added.error());
+  }
+  const std::string scene_name =
+      words.scene == "-" ? "-" : std::filesystem::path(words.scene).filename().string();
+  report.files.push_back(
+      {fmt::format("{}.html", text_of(language, Word::file_report)),
+       report_page(*facts, report.pictures, report.letter,
+                   {language, scene_name, words.author, words.profile_name(*scene)})});
+
+  const std::filesystem::path out(words.folder);
+  if (words.zip) {
+    Result<std::string> zip = zip_of(report.files);
+    if (!zip) return fail(zip.error());
+    report.files.push_back({archive, std::move(*zip)});
+  }
+  for (const NamedBytes& file : report.files) {
+    const Result<void> written = write_text_file((out / file.name).string(), file.bytes);
+    if (!written) return fail(written.error());
+    if (!words.quiet) fmt::print("{}\n", (out / file.name).string());
+  }
+  return kDone;
+}
+
+}  // namespace
+
+CLI::App* add_report(CLI::App& program, Command& command) {
+  auto words = std::make_shared<Words>();
+  CLI::App* app = program.add_subcommand(
+      "report",
+      "what the lab's sheet wants handed in: the stages, what each changed and why, as a page");
+  words->add_to(*app);
+  app->add_option("-o,--output", words->folder,
+                  "the folder for the report; made if it is not there, files of the same names are "
+                  "replaced")
+      ->required();
+  app->add_option("--letter", words->letter,
+                  "the letter or word of the eighth picture; else the surname's first letter");
+  CLI::Option* author = app->add_option("--author", words->author, "whose report it is");
+  app->add_option("--lang", words->language, "language of all words: en (default) or hr")
+      ->check(one_of("en or hr",
+                     [](const std::string& word) { return language_named(word).has_value(); }));
+  app->add_flag("--zip", words->zip,
+                "also pack all into OVO-V3-Rezultati-<ImePrezime>.zip, named after the author")
+      ->needs(author);
+  app->footer(
+      "The sheet also wants your source code and program in the archive: add them.\n"
+      "Examples:\n"
+      "  zraka report scenes/lab/input.txt -o report\n"
+      "  zraka report input.txt -o izvjestaj --lang hr --author 'Ana Šarić' --zip\n"
+      "  zraka report input.txt -o report --letter Č --width 800");
+  app->callback([&command, words] { command = [words] { return run(*words); }; });
+  return app;
+}
+
+}  // namespace zraka::app

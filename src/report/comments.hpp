@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a stage changed and why, in words for what was counted.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/words.hpp"
+#include "report/facts.hpp"
+
+namespace zraka {
+
+/// Sentences about a stage's picture against the one before. Each is true for any scene: what did
+/// not occur is not mentioned, or said not to occur.
+std::vector<std::string> comments_on(Language language, const SceneFacts& scene, Stage stage);
+
+/// Things that are counted: "1 pixel", "2 pixels", "5 piksela".
+enum class Counted {
+  pixel,
+  ray,
+  eye_ray,
+  feeler,
+  reflected,
+  refracted,
+  color,
+  point,
+  sphere,
+  time
+};
+std::string counted(Language language, Counted what, std::uint64_t number);
+
+/// A number with so many digits after the point, which is a comma in Croatian.
+std::string decimal(Language language, double value, int digits);
+
+}  // namespace zraka
