@@ -108,7 +108,7 @@ CLI::App* add_grade(CLI::App& program, Command& command) {
       "  zraka grade input.txt slika.png --lang hr\n"
       "  zraka grade input.txt class/ --all --rubric rubric.json\n"
       "  zraka grade --list");
-  app->callback([&command, words, app] {
+  app->callback([&command, words] {
     if (!words->list && words->scene.empty()) throw CLI::RequiredError("SCENE");
     if (!words->list && words->submission.empty()) throw CLI::RequiredError("SUBMISSION");
     command = [words] { return run(*words); };

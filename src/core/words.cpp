@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/words.hpp"
 
-#include <array>
+#include <cstddef>
 
 namespace zraka {
 namespace {
@@ -10,7 +10,7 @@ struct Entry {
   std::string_view name, english, croatian;
 };
 
-constexpr std::array kEntries = {
+constexpr Entry kEntries[] = {
 #define ZRAKA_WORD(name, english, croatian) Entry{#name, english, croatian},
 #include "core/words.def"
 #undef ZRAKA_WORD

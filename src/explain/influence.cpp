@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <new>
 #include <zraka/influence.hpp>
 
@@ -246,9 +247,11 @@ Result<Influence> influence(const Scene& scene, const RenderOptions& options,
     for (const std::unique_ptr<WayReader>& reader : readers) reader->add_counts_to(counts);
     for (const auto& [key, pixels] : counts)
       found.ways.push_back({std::get<0>(key), std::get<1>(key), std::get<2>(key), pixels});
-    std::stable_sort(
-        found.ways.begin(), found.ways.end(),
-        [](const InfluenceWay& a, const InfluenceWay& b) { return a.pixels > b.pixels; });
+    std::sort(found.ways.begin(), found.ways.end(),
+              [](const InfluenceWay& a, const InfluenceWay& b) {
+                return std::tie(b.pixels, a.path, a.longer, a.shadow) <
+                       std::tie(a.pixels, b.path, b.longer, b.shadow);
+              });
     return found;
   } catch (const std::bad_alloc&) {
     return failure(
