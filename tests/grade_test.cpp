@@ -196,7 +196,7 @@ void expect_named(const std::function<void(const Image&, const Folder&)>& write,
     for (const MistakeEntry& entry : all_mistakes()) {
       // Where it shows first; the stage is known by the name.
       const int stage = entry.first_stage == 1 ? 7 : entry.first_stage == 5 ? 7 : entry.first_stage;
-      const Image& picture = grader.picture(stage, entry.mistake);
+      const Image picture = grader.picture(stage, entry.mistake);
       const Errors seen = measure_errors(picture, grader.picture(stage), 2.5 / 255);
       if (seen.share() < 0.005) continue;
       const Folder folder;

@@ -59,9 +59,10 @@ struct StageGrade {
   bool repeated = false;   ///< the mistake was there in an earlier stage
   double share_wrong = 0;  ///< pixels that differ from the right picture
   double share_left = 0;   ///< pixels that differ from what is named
-  std::vector<PixelPair> pixels{};            ///< a: the submission, b: the right picture, where they differ first
+  std::vector<PixelPair>
+      pixels{};            ///< a: the submission, b: the right picture, where they differ first
   Diagnostics problems{};  ///< of an unreadable file
-  Image aligned{};       ///< as it was compared, empty where there is none
+  Image aligned{};         ///< as it was compared, empty where there is none
 };
 
 struct Grade {
@@ -84,7 +85,7 @@ class Grader {
   Grade grade(const std::string& path) const;
 
   /// The picture of a stage as an 8 bit file has it, right or with a mistake.
-  const Image& picture(int stage, Mistake mistake = Mistake::none) const;
+  Image picture(int stage, Mistake mistake = Mistake::none) const;
   const Rubric& rubric() const;
 
   /// Why the pixel that a mistake changes most has its colours, in words: first right, then with

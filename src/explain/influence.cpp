@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 #include <new>
+#include <tuple>
 #include <zraka/influence.hpp>
 
 #include "engine/tile_order.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "image/alter.hpp"
@@ -78,7 +79,12 @@ Fitted fit(const Image& submitted, const Image& right) {
   }
   const double across = static_cast<double>(submitted.width) / right.width,
                down = static_cast<double>(submitted.height) / right.height;
-  if (std::fabs(across / down - 1) < 0.01) {
+  // A window's frame is not that large; and the search below would take long.
+  const auto far_from = [](std::uint32_t a, std::uint32_t b) {
+    return std::abs(std::int64_t{a} - std::int64_t{b}) > std::int64_t{b} / 2 + 64;
+  };
+  if (std::fabs(across / down - 1) < 0.01 || far_from(submitted.width, right.width) ||
+      far_from(submitted.height, right.height)) {
     fitted.alignment.scaled = true;
     fitted.image = across > 1 ? scaled_by_area(submitted, right.width, right.height)
                               : scaled_bilinearly(submitted, right.width, right.height);

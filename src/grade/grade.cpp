@@ -2,7 +2,7 @@
 // The cause of a wrong picture is the mistake whose own picture is nearest to it: noise of a JPEG
 // or of a scaled screenshot adds the same distance to all of them.
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,24 @@ constexpr double kSame = 1e-9;
 
 struct Candidate {
   Mistake mistake = Mistake::none;
-  Image picture, coarse;
+  Image coarse;
+  std::uint32_t width = 0;
+  std::vector<std::uint8_t> bytes;  ///< a scene has hundreds of these pictures
+
+  void keep(const Image& image) {
+    width = image.width;
+    bytes.resize(image.pixels.size());
+    std::transform(image.pixels.begin(), image.pixels.end(), bytes.begin(), [](float value) {
+      return static_cast<std::uint8_t>(std::lround(255.0F * value));
+    });
+  }
+  /// As as_stored() gives it.
+  Image picture() const {
+    Image image(width, static_cast<std::uint32_t>(bytes.size() / 3 / width));
+    std::transform(bytes.begin(), bytes.end(), image.pixels.begin(),
+                   [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; });
+    return image;
+  }
 };
 
 /// All pictures of a stage, the right one first.
@@ -76,7 +93,7 @@ struct Grader::Impl {
   }
   const StagePictures& pictures(int stage) const;
   StageGrade judge(int stage, const SubmittedPicture& submitted) const;
-  Match best_match(int stage, const Fitted& fitted, const std::vector<Image>& ways) const;
+  Match best_match(int stage, const Fitted& fitted, const std::vector<Alignment>& ways) const;
   int nearest_stage(const Image& image) const;
   void mark(std::vector<StageGrade>& stages) const;
 };
@@ -84,40 +101,45 @@ struct Grader::Impl {
 const StagePictures& Grader::Impl::pictures(int stage) const {
   const auto index = static_cast<std::size_t>(stage - 1);
   StagePictures& found = stages[index];
-  std::call_once(found.once, [&] {
+  const auto render_all = [&] {
     found.right = right[index];
     found.coarse = coarse_of(found.right);
     std::vector<Candidate> all;
     for (const MistakeEntry& entry : all_mistakes())
-      if (entry.first_stage <= stage) all.push_back({entry.mistake, {}, {}});
-    // Not by tasks: a thread that waits here could be given another submission meanwhile.
+      if (entry.first_stage <= stage) all.push_back({entry.mistake, {}, 0, {}});
     for (Candidate& candidate : all) {
-      candidate.picture = render_stage(stage, candidate.mistake);
+      const Image picture = render_stage(stage, candidate.mistake);
       // A picture that would pass for right is no picture of a mistake.
-      if (measure_errors(candidate.picture, found.right, (rubric.tolerance + 0.5) / 255).share() <=
+      if (measure_errors(picture, found.right, (rubric.tolerance + 0.5) / 255).share() <=
           rubric.share)
         continue;
-      candidate.coarse = coarse_of(candidate.picture);
+      candidate.coarse = coarse_of(picture);
+      candidate.keep(picture);
       found.visible.push_back(std::move(candidate));
     }
-  });
+  };
+  // While it waits for its tiles, a thread must not be given another submission to mark: that one
+  // would wait here for the thread itself.
+  std::call_once(found.once, [&] { tbb::this_task_arena::isolate(render_all); });
   return found;
 }
 
 /// The candidate and the alignment that come nearest.
 Match Grader::Impl::best_match(int stage, const Fitted& fitted,
-                               const std::vector<Image>& ways) const {
+                               const std::vector<Alignment>& ways) const {
   const StagePictures& all = pictures(stage);
+  const Image& whole = fitted.image;
+  const Image less = coarse_of(whole);
+  const auto scaled = [](std::uint32_t n, std::uint32_t from, std::uint32_t to) {
+    return static_cast<std::uint32_t>(std::uint64_t{n} * to / from);
+  };
+  const Region part{scaled(fitted.region.left, whole.width, less.width),
+                    scaled(fitted.region.top, whole.height, less.height),
+                    scaled(fitted.region.right, whole.width, less.width),
+                    scaled(fitted.region.bottom, whole.height, less.height)};
   std::vector<Match> coarse;
   for (std::size_t w = 0; w < ways.size(); ++w) {
-    const Image small = coarse_of(ways[w]);
-    const auto scaled = [&](std::uint32_t n, std::uint32_t from, std::uint32_t to) {
-      return static_cast<std::uint32_t>(std::uint64_t{n} * to / from);
-    };
-    const Region part{scaled(fitted.region.left, ways[w].width, small.width),
-                      scaled(fitted.region.top, ways[w].height, small.height),
-                      scaled(fitted.region.right, ways[w].width, small.width),
-                      scaled(fitted.region.bottom, ways[w].height, small.height)};
+    const Image small = aligned(less, ways[w]);
     coarse.push_back({nullptr, w, mean_square(small, all.coarse, part)});
     for (const Candidate& candidate : all.visible)
       coarse.push_back({&candidate, w, mean_square(small, candidate.coarse, part)});
@@ -133,12 +155,13 @@ Match Grader::Impl::best_match(int stage, const Fitted& fitted,
 
   Match nearest;
   const auto look = [&](std::size_t w) {
+    const Image image = aligned(whole, ways[w]);
     const auto consider = [&](const Candidate* candidate, const Image& picture) {
-      const double d = mean_square(ways[w], through_scaling(picture, fitted), fitted.region);
+      const double d = mean_square(image, through_scaling(picture, fitted), fitted.region);
       if (d < nearest.distance) nearest = {candidate, w, d};
     };
     consider(nullptr, all.right);
-    for (const Candidate& candidate : all.visible) consider(&candidate, candidate.picture);
+    for (const Candidate& candidate : all.visible) consider(&candidate, candidate.picture());
   };
   look(0);
   if (way != 0) look(way);
@@ -192,12 +215,10 @@ StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) con
     std::erase_if(kinds, [](const Alignment& way) {
       return way.swapped || way.curve != Alignment::Curve::none;
     });
-  std::vector<Image> ways;
-  for (const Alignment& kind : kinds) ways.push_back(aligned(fitted.image, kind));
-  const Match match = best_match(stage, fitted, ways);
-  const Image& image = ways[match.way];
+  const Match match = best_match(stage, fitted, kinds);
+  const Image image = aligned(fitted.image, kinds[match.way]);
   const double to_right = mean_square(image, through_scaling(wanted, fitted), fitted.region);
-  const Image& named = match.candidate == nullptr ? wanted : match.candidate->picture;
+  const Image named = match.candidate == nullptr ? wanted : match.candidate->picture();
   grade.share_left = share_over(image, named);
 
   const double few = match.candidate == nullptr ? rubric.share : kRestOfMistake;
@@ -213,12 +234,19 @@ StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) con
     // Several where the scene cannot tell them apart.
     const Region whole{0, 0, wanted.width, wanted.height};
     for (const Candidate& other : pictures(stage).visible)
-      if (mean_square(other.picture, named, whole) < kSame) grade.mistakes.push_back(other.mistake);
+      if (mean_square(other.picture(), named, whole) < kSame)
+        grade.mistakes.push_back(other.mistake);
   } else {
     settle(image, kinds[match.way], Verdict::differs);
   }
-  grade.pixels = grade.verdict == Verdict::right ? std::vector<PixelPair>()
-                                                 : worst_pixels(image, wanted, threshold, 3);
+  if (grade.verdict != Verdict::right) {
+    Image there = wanted;  // what was cut off differs nowhere
+    const Region& r = fitted.region;
+    for (std::uint32_t y = r.top; y < r.bottom; ++y)
+      std::copy(image.row(y) + std::size_t{3} * r.left, image.row(y) + std::size_t{3} * r.right,
+                there.row(y) + std::size_t{3} * r.left);
+    grade.pixels = worst_pixels(there, wanted, threshold, 3);
+  }
   return grade;
 }
 
@@ -275,11 +303,11 @@ const Rubric& Grader::rubric() const {
   return impl_->rubric;
 }
 
-const Image& Grader::picture(int stage, Mistake mistake) const {
+Image Grader::picture(int stage, Mistake mistake) const {
   const Image& right = impl_->right[static_cast<std::size_t>(stage - 1)];
   if (mistake == Mistake::none) return right;
   for (const Candidate& candidate : impl_->pictures(stage).visible)
-    if (candidate.mistake == mistake) return candidate.picture;
+    if (candidate.mistake == mistake) return candidate.picture();
   return right;
 }
 
