@@ -71,8 +71,11 @@ std::string nesting(const std::string& page) {
 TEST(ExplainPage, HoldsEachRayOnce) {
   const RenderOptions options = with(ProfileName::lab);
   const Scene scene = tangled_scene(60);
-  const Explanation e = explain(scene, options, 30, 30).value();
-  const std::string page = page_of(scene, options, 30, 30);
+  // The scene's random numbers come in another order with another compiler.
+  std::uint32_t x = 0;
+  while (x < 59 && explain(scene, options, x, 30)->trees[0].rays.size() <= 5) ++x;
+  const Explanation e = explain(scene, options, x, 30).value();
+  const std::string page = page_of(scene, options, x, 30);
   ASSERT_GT(e.trees[0].rays.size(), 5u);
   EXPECT_EQ(count_of(page, "<details"), e.trees[0].rays.size());
   for (std::size_t r = 0; r < e.trees[0].rays.size(); ++r)

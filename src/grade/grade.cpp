@@ -25,6 +25,8 @@ constexpr std::uint32_t kCoarseSide = 100;
 constexpr double kExplained = 0.5;
 /// The same for pictures that lost something on their way.
 constexpr double kExplainedWithLoss = 0.2;
+/// A picture farther than this from every mistake's shows none of them, whatever it explains.
+constexpr double kNamed = 0.1;
 /// What JPEG and scaling may add, as a root mean square of values of 0…1.
 constexpr double kLoss = 0.04;
 /// Pixels that may be left over where a mistake is named, and those of an edge that was blurred.
@@ -229,7 +231,9 @@ StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) con
   const double explained = to_right > 0 ? 1 - match.distance / to_right : 1;
   if (match.candidate == nullptr) {
     settle(image, kinds[match.way], close ? Verdict::right : Verdict::differs);
-  } else if (explained >= (loss ? kExplainedWithLoss : kExplained) || (close && explained > 0)) {
+  } else if ((explained >= (loss ? kExplainedWithLoss : kExplained) &&
+              std::sqrt(match.distance) <= kNamed) ||
+             (close && explained > 0)) {
     settle(image, kinds[match.way], Verdict::mistaken);
     // Several where the scene cannot tell them apart.
     const Region whole{0, 0, wanted.width, wanted.height};
