@@ -45,6 +45,9 @@ for page in docs/course/README.md docs/course/README.hr.md; do
   done <"$folder/functions"
   [ "$(wc -l <"$folder/functions")" -ge 12 ] || fail "$page names too few functions"
 done
+for page in docs/course/README.md docs/course/README.hr.md; do
+  [ "$(grep -c '^```text' "$page")" = 7 ] || fail "$page quotes $(grep -c '^```text' "$page") answers, not 7"
+done
 for what in '](pictures[^)]*)' '`[a-z_]*()`' '^    \./run .*' '^## [0-9]*'; do
   diff <(grep -o -- "$what" docs/course/README.md | sed 's/ --lang hr//') \
     <(grep -o -- "$what" docs/course/README.hr.md | sed 's/ --lang hr//') >"$folder/diff" ||
