@@ -182,7 +182,8 @@ StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) con
   Image handed_in = submitted.image->image;
   if (submitted.image->floats) handed_in = as_stored(handed_in, options.profile.transfer, 8);
   if (stage == 1) handed_in = as_silhouette(handed_in);
-  const Fitted fitted = fit(handed_in, wanted);
+  Fitted fitted = fit(handed_in, wanted);
+  if (stage == 1) fitted.image = as_silhouette(fitted.image);  // scaling has left greys
   const bool loss = submitted.image->format == "JPEG" || fitted.alignment.scaled;
   const double threshold = (rubric.tolerance + 0.5) / 255;
   const auto share_over = [&](const Image& a, const Image& b) {
