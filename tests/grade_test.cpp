@@ -144,6 +144,8 @@ Float3 folded(const nlohmann::json& ray, const nlohmann::json& all, Mistake mist
     if (!light["diffuse"].is_null()) add(three(light["diffuse"]));
     if (!light["specular"].is_null()) add(three(light["specular"]));
   }
+  if (mistake == Mistake::total_white && !hit["snell"].is_null() && hit["snell"]["total"])
+    for (float& c : color) c += hit["material"]["k2"].get<float>();
   const auto clamp = [&] {
     for (float& c : color) c = std::min(std::max(c, 0.0F), 1.0F);
   };
@@ -339,6 +341,30 @@ TEST(Grade, SaysWhatIsWrongWithSubmissions) {
   const Grade grade = grader.grade(folder.path.string());
   EXPECT_TRUE(grade.problems.empty());
   EXPECT_EQ(grade.stages.front().verdict, Verdict::unreadable);
+}
+
+TEST(Grade, RefusesALetterAlone) {
+  const Scene scene = course_scene();
+  const Grader grader = Grader::create(scene, lab_options()).value();
+  const Folder folder;
+  save_png(grader.picture(7), folder.file("slovo.png"));
+  const Grade grade = grader.grade(folder.file("slovo.png"));
+  ASSERT_EQ(grade.problems.size(), 1U);
+  EXPECT_EQ(grade.problems.front().message,
+            "'slovo.png' is called like a letter or a difference, which get no marks");
+}
+
+TEST(Grade, FindsTheStagesOfPicturesWithoutNames) {
+  const Scene scene = course_scene();
+  const Grader grader = Grader::create(scene, lab_options()).value();
+  const Folder folder;
+  const char* names[] = {"d", "a", "f", "c", "g", "b", "e"};
+  for (int stage = 1; stage <= 7; ++stage)
+    save_png(grader.picture(stage), folder.file(fmt::format("{}.png", names[stage - 1])));
+  const Grade grade = grader.grade(folder.path.string());
+  EXPECT_EQ(grade.marks, 7);
+  for (const StageGrade& stage : grade.stages)
+    EXPECT_EQ(stage.file, fmt::format("{}.png", names[stage.stage - 1]));
 }
 
 TEST(Submission, KnowsStagesByNames) {

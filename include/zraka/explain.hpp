@@ -122,7 +122,8 @@ struct Explanation {
   Terms terms;
   Profile profile;
   int max_depth = 0;
-  Float3 ambient_light{};  ///< Ia
+  Mistake mistake = Mistake::none;  ///< that the pixel was made with
+  Float3 ambient_light{};           ///< Ia
   Float3 background{};
   std::vector<ExplainedLight> lights{};
   /// One; or four where the pixel is the mean of its corners: upper left, upper right, lower left,
@@ -151,8 +152,8 @@ class Explainer {
   /// a tree has more rays or terms than kMaxExplainedRays and kMaxExplainedTerms.
   Result<Explanation> pixel(std::uint32_t x, std::uint32_t y);
 
-  /// A square of at most side×side pixels, 1 ≤ side < kMaxTile, around a pixel of the picture, in its
-  /// middle where the picture's edges leave room.
+  /// A square of at most side×side pixels, 1 ≤ side < kMaxTile, around a pixel of the picture, in
+  /// its middle where the picture's edges leave room.
   Neighbourhood around(std::uint32_t x, std::uint32_t y, std::uint32_t side);
 
  private:

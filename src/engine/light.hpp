@@ -193,6 +193,7 @@ void light_hits(const FrozenScene<R>& scene, const TraceSettings& settings, Leve
     const std::size_t feelers = make_feelers<L>(scene.lights[i], n, scratch, record, rules);
     if (terms.shadows) {
       trace_feelers<L>(scene, feelers, scratch);
+      rules.template after_feelers<L>(scene, feelers, scratch);
       counts.shadow += feelers;
     }
     add_light<L>(scene, scene.lights[i], terms, level, scratch, record, rules);

@@ -6,6 +6,7 @@
 #include <zraka/mistakes.hpp>
 
 #include "accel/flat_list.hpp"
+#include "engine/places.hpp"
 #include "engine/rules.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -18,7 +19,7 @@ struct MistakenRules : Rules {
   template <class L, class Scene, class M>
   void find_nearest(const Scene& scene, M active, RayLanes<L>& ray) const {
     if (!is(Mistake::first_hit)) return Rules::find_nearest<L>(scene, active, ray);
-    // The first in the order of the file, shape by shape, until all rays have one.
+    // The first in the order of the file.
     alignas(64) std::int32_t first[L::kWidth];
     for (std::size_t i = 0; i < L::kWidth; ++i) first[i] = -1;
     RayLanes<L> met = ray;
@@ -100,6 +101,25 @@ struct MistakenRules : Rules {
     }
     return Rules::highlight(r_v, shininess);
   }
+  template <class L, class R>
+  void after_feelers(const FrozenScene<R>& scene, std::size_t feelers, Scratch<R>& scratch) const {
+    if (!is(Mistake::feeler_overwrites)) return;
+    using F = typename L::F;
+    for (std::size_t i = 0; i < feelers; i += L::kWidth) {
+      const V3<F> origin{L::load(scratch.fox + i), L::load(scratch.foy + i),
+                         L::load(scratch.foz + i)};
+      const V3<F> direction{L::load(scratch.fdx + i), L::load(scratch.fdy + i),
+                            L::load(scratch.fdz + i)};
+      RayLanes<L> ray{origin, direction, L::load(scratch.fdistance + i), typename L::I(-1)};
+      ZRAKA_ISA::find_nearest<L>(scene, L::first(feelers - i), ray);
+      const V3<F> met = origin + direction * ray.t;
+      const Places<L> hit(L::load(scratch.feeler_hit + i));
+      const auto blocked = both(ray.slot >= typename L::I(0), L::first(feelers - i));
+      hit.store(met.x, blocked, scratch.px);
+      hit.store(met.y, blocked, scratch.py);
+      hit.store(met.z, blocked, scratch.pz);
+    }
+  }
   ZRAKA_INLINE bool looks_into_shadows() const {
     return is(Mistake::shadow_takes_ambient) || is(Mistake::shadow_leaves_specular);
   }
@@ -123,6 +143,14 @@ struct MistakenRules : Rules {
   template <class F>
   ZRAKA_INLINE F discriminant(F d) const {
     return is(Mistake::total_clamped) ? max(d, F(0)) : d;
+  }
+  template <class L, class F, class M, class R>
+  ZRAKA_INLINE void instead_of_refracted(const Level<R>& level, std::size_t h, M total,
+                                         F refraction) const {
+    if (!is(Mistake::total_white)) return;
+    const F white = select(total, refraction, F(0));
+    for (R* channel : {level.hits.r, level.hits.g, level.hits.b})
+      L::store(L::load(channel + h) + white, channel + h);
   }
   template <class F>
   ZRAKA_INLINE V3<F> reflected(const V3<F>& direction) const {

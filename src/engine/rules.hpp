@@ -69,6 +69,9 @@ struct Rules {
   ZRAKA_INLINE F highlight(F r_v, F shininess) const {
     return power(min(max(r_v, F(0)), F(1)), shininess);
   }
+  /// What feelers leave behind besides their answer: nothing.
+  template <class L, class R>
+  ZRAKA_INLINE void after_feelers(const FrozenScene<R>&, std::size_t, Scratch<R>&) const {}
   /// Hits that face the light and whose feeler is blocked: is there anything to do for them, what
   /// is left of the local light, and which hits get the specular term?
   ZRAKA_INLINE bool looks_into_shadows() const { return false; }
@@ -92,6 +95,10 @@ struct Rules {
   ZRAKA_INLINE F discriminant(F d) const {
     return d;
   }
+  /// What hits [h, h + kWidth) whose refracted ray cannot be get in its place: nothing.
+  template <class L, class F, class M, class R>
+  ZRAKA_INLINE void instead_of_refracted(const Level<R>&, std::size_t, M /*total*/,
+                                         F /*refraction*/) const {}
   template <class F>
   ZRAKA_INLINE V3<F> reflected(const V3<F>& direction) const {
     return direction;

@@ -101,6 +101,8 @@ void spawn_reflected(const FrozenScene<R>& scene, const TraceSettings& settings,
       const auto passes = snell.d >= F(0);
       record.keep(Term::ratio, h, snell.b);
       record.keep(Term::quarter_d, h, snell.d);
+      rules.template instead_of_refracted<L>(level, h, but_not(L::first(n - h), passes),
+                                             refraction);
       if (settings.mirror_when_total)
         reflection = select(passes, reflection, reflection + refraction);
       refraction = select(passes, refraction, F(0));

@@ -280,6 +280,7 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
                           .terms = stand.options.terms,
                           .profile = stand.options.profile,
                           .max_depth = stand.options.max_depth,
+                          .mistake = stand.options.mistake,
                           .ambient_light = float3(stand.frozen().ambient_light),
                           .background = float3(stand.frozen().background)};
   for (std::size_t i = 0; i < stand.scene.lights.size(); ++i)

@@ -39,4 +39,19 @@ std::string label_of(Language language, const NamedShape& shape, Case form) {
   return label;
 }
 
+std::string_view text_of(Language language, Stage stage) {
+  return text_of(language, static_cast<Word>(static_cast<int>(Word::stage_silhouette) +
+                                             static_cast<int>(stage) - 1));
+}
+
+std::string_view text_of(Language language, Mistake mistake) {
+  const MistakeEntry& entry = entry_of(mistake);
+  return language == Language::english ? entry.english : entry.croatian;
+}
+
+Word after_total_reflection(const Explanation& explanation) {
+  if (explanation.mistake == Mistake::total_white) return Word::total_white;
+  return explanation.profile.mirror_when_total ? Word::total_mirrored : Word::total_black;
+}
+
 }  // namespace zraka

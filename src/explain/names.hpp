@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What shapes are called.
+// What shapes, stages and mistakes are called.
 #pragma once
 
 #include <string>
@@ -20,6 +20,15 @@ std::string_view noun_of(Language language, std::int32_t kind, Case form = Case:
 
 /// "sphere 3 'green'", "kuglu 3 'green'".
 std::string label_of(Language language, const NamedShape& shape, Case form = Case::nominative);
+
+/// "stage 5: shadows".
+std::string_view text_of(Language language, Stage stage);
+
+/// What is wrong, as a sentence without a full stop. Not for Mistake::none.
+std::string_view text_of(Language language, Mistake mistake);
+
+/// What becomes of the refracted share where there is total internal reflection.
+Word after_total_reflection(const Explanation& explanation);
 
 /// Lights are counted from 1.
 inline std::size_t light_number(std::size_t index) {

@@ -90,10 +90,12 @@ void Page::head() {
   if (options_.profile)
     facts += fmt::format(" · {}", say(kProfiles[static_cast<int>(*options_.profile)]));
   if (const std::optional<Stage> stage = stage_of(e_.terms))
-    facts += fmt::format(" · {}", say(static_cast<Word>(static_cast<int>(Word::stage_silhouette) +
-                                                        static_cast<int>(*stage) - 1)));
+    facts += fmt::format(" · {}", html_text(text_of(options_.language, *stage)));
   put("<header>\n<p class=\"file\">{}</p>\n<h1>{}</h1>\n<p class=\"facts\">{} · {}</p>\n",
       html_text(options_.scene), title, facts, say(Word::depth_is, e_.max_depth));
+  if (e_.mistake != Mistake::none)
+    put("<p class=\"unlit\">{}</p>\n",
+        say(Word::with_mistake, text_of(options_.language, e_.mistake)));
   const auto byte = [&](std::size_t c) { return quantize(e_.color[c], e_.profile.transfer, 8); };
   put("<div class=\"answer\">{}<div><p class=\"sentence\">{}</p>\n"
       "<p class=\"numbers\">{}: {}; {} ({}, {}, {})</p></div></div>\n</header>\n",
@@ -211,8 +213,7 @@ void Page::snell(std::size_t t, const ExplainedHit& hit) {
     if (angles.critical_deg)
       text += fmt::format(" ({})",
                           say(Word::critical_angle, fmt::format("{:.2f}", *angles.critical_deg)));
-    text += fmt::format(
-        "; {}</p>", say(e_.profile.mirror_when_total ? Word::total_mirrored : Word::total_black));
+    text += fmt::format("; {}</p>", say(after_total_reflection(e_)));
   } else if (s.a) {
     const ExplainedRay& refracted = e_.trees[t].rays[static_cast<std::size_t>(hit.refracted.ray)];
     text += steps({symbol("a"),

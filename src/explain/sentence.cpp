@@ -235,7 +235,7 @@ std::string Speaker::notes() const {
       const double weight = std::fabs(r.weight * static_cast<double>(share));
       if (child.absence == why && weight >= most.weight) most = {weight, &*r.hit, word, share};
     };
-    if (!e_.profile.mirror_when_total)
+    if (after_total_reflection(e_) == Word::total_black)
       look(r.hit->refracted, r.hit->k2, Absence::total, Word::say_total_black, black);
     look(r.hit->reflected, r.hit->k1, Absence::depth, Word::say_cut_reflected, cut);
     look(r.hit->refracted, r.hit->k2, Absence::depth, Word::say_cut_refracted, cut);

@@ -110,8 +110,7 @@ void Writer::snell(const ExplainedHit& hit, const std::string& lead) {
     if (angles.critical_deg)
       text += fmt::format(" ({})",
                           say(Word::critical_angle, fmt::format("{:.2f}", *angles.critical_deg)));
-    text += fmt::format(
-        "; {}", say(e_.profile.mirror_when_total ? Word::total_mirrored : Word::total_black));
+    text += fmt::format("; {}", say(after_total_reflection(e_)));
     line(lead, fmt::format("  {}", in(Style::shadow, text)));
   } else if (s.a) {
     line(lead, fmt::format("{}, a = (-2·b·cos α + √D)/2 = {}, β = {:.2f}°", d, short_number(*s.a),
@@ -212,13 +211,14 @@ std::string Writer::header() const {
   if (options_.profile)
     text += fmt::format(", {}", say(kProfiles[static_cast<int>(*options_.profile)]));
   if (const std::optional<Stage> stage = stage_of(e_.terms))
-    text += fmt::format(", {}", say(static_cast<Word>(static_cast<int>(Word::stage_silhouette) +
-                                                      static_cast<int>(*stage) - 1)));
+    text += fmt::format(", {}", text_of(options_.language, *stage));
   return fmt::format("{}, {}", text, say(Word::depth_is, e_.max_depth));
 }
 
 std::string Writer::write() {
   line("", in(Style::strong, header()));
+  if (e_.mistake != Mistake::none)
+    line("", in(Style::shadow, say(Word::with_mistake, text_of(options_.language, e_.mistake))));
   for (std::size_t t = 0; t < e_.trees.size(); ++t) {
     const ExplainedRay& root = e_.trees[t].rays.front();
     std::string title = say(Word::ray_camera);
