@@ -12,6 +12,7 @@
 #include "core/file.hpp"
 #include "core/text.hpp"
 #include "core/words.hpp"
+#include "explain/names.hpp"
 #include "grade/words.hpp"
 #include "render_options.hpp"
 #include "terminal.hpp"

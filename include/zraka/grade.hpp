@@ -7,10 +7,9 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 #include <zraka/compare.hpp>
+#include <zraka/explain.hpp>
 #include <zraka/render.hpp>
 
 namespace zraka {
@@ -72,6 +71,11 @@ struct Grade {
   Diagnostics problems;  ///< of the whole submission; then there are no stages
 };
 
+/// Why a pixel has its colour, right and with a mistake.
+struct ToldApart {
+  Explanation right, mistaken;
+};
+
 /// Marks submissions of one scene, from any number of threads. The scene must outlive it.
 class Grader {
  public:
@@ -88,10 +92,8 @@ class Grader {
   Image picture(int stage, Mistake mistake = Mistake::none) const;
   const Rubric& rubric() const;
 
-  /// Why the pixel that a mistake changes most has its colours, in words: first right, then with
-  /// the mistake. Empty where no mistake is named.
-  std::vector<std::pair<bool, std::string>> told_apart(std::string_view language,
-                                                       const StageGrade& stage) const;
+  /// The pixel that the named mistake changes most. None where no mistake is named.
+  std::optional<ToldApart> told_apart(const StageGrade& stage) const;
 
  private:
   struct Impl;

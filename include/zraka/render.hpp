@@ -66,9 +66,9 @@ std::vector<Isa> available_isas();
 struct RenderOptions {
   Terms terms{};
   Profile profile = profile_of(ProfileName::physical);
-  int max_depth = 4;         ///< levels of rays after the first: 0…kMaxDepth
-  int threads = 0;           ///< 0: as many as the machine has
-  int tile = 0;              ///< side of a tile in pixels, 1…kMaxTile; 0: chosen
+  int max_depth = 4;  ///< levels of rays after the first: 0…kMaxDepth
+  int threads = 0;    ///< 0: as many as the machine has
+  int tile = 0;       ///< side of a tile in pixels, 1…kMaxTile; 0: chosen
   /// A mistake to make, as solutions of the lab do; not for the oracle.
   Mistake mistake = Mistake::none;
   std::optional<Isa> isa{};  ///< none: ZRAKA_ISA from the environment, else the fastest

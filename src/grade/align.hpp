@@ -24,8 +24,8 @@ struct Fitted {
 /// which is a window with its frame, or cut off.
 Fitted fit(const Image& submitted, const Image& right);
 
-/// Half the pictures that one may be without a mistake: upside down or not, colours swapped or not,
-/// each with every curve. The first is as it was handed in.
+/// What may have become of a right picture: upside down or not, colours swapped or not, each with
+/// every curve. The first is as it was handed in.
 std::vector<Alignment> ways_to_align();
 Image aligned(const Image& image, const Alignment& way);
 

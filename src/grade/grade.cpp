@@ -10,7 +10,7 @@
 #include <mutex>
 #include <zraka/grade.hpp>
 
-#include "explain/sentence.hpp"
+#include "core/text.hpp"
 #include "grade/align.hpp"
 #include "grade/submission.hpp"
 #include "image/alter.hpp"
@@ -56,10 +56,10 @@ struct Candidate {
   }
 };
 
-/// All pictures of a stage, the right one first.
+/// A stage's right picture in small, and the pictures of its mistakes.
 struct StagePictures {
   std::once_flag once;
-  Image right, coarse;
+  Image coarse;
   std::vector<Candidate> visible;
 };
 
@@ -78,11 +78,17 @@ struct Grader::Impl {
   std::array<Image, 7> right;
   mutable std::array<StagePictures, 7> stages;
 
-  Image render_stage(int stage, Mistake mistake) const {
+  const Image& right_of(int stage) const { return right[static_cast<std::size_t>(stage - 1)]; }
+  RenderOptions options_of(int stage, Mistake mistake) const {
     RenderOptions asked = options;
     asked.terms = terms_of(static_cast<Stage>(stage));
     asked.mistake = mistake;
-    const Image image = as_stored(render(scene, asked).value().image, options.profile.transfer, 8);
+    return asked;
+  }
+  Result<Image> render_stage(int stage, Mistake mistake) const {
+    const Result<Rendering> rendering = render(scene, options_of(stage, mistake));
+    if (!rendering) return tl::make_unexpected(rendering.error());
+    const Image image = as_stored(rendering->image, options.profile.transfer, 8);
     return stage == 1 ? as_silhouette(image) : image;
   }
   static Image coarse_of(const Image& image) {
@@ -97,25 +103,24 @@ struct Grader::Impl {
   StageGrade judge(int stage, const SubmittedPicture& submitted) const;
   Match best_match(int stage, const Fitted& fitted, const std::vector<Alignment>& ways) const;
   int nearest_stage(const Image& image) const;
+  StageGrade judge_alone(const SubmittedPicture& picture) const;
+  std::vector<StageGrade> judge_all(const std::vector<SubmittedPicture>& pictures) const;
   void mark(std::vector<StageGrade>& stages) const;
 };
 
 const StagePictures& Grader::Impl::pictures(int stage) const {
-  const auto index = static_cast<std::size_t>(stage - 1);
-  StagePictures& found = stages[index];
+  StagePictures& found = stages[static_cast<std::size_t>(stage - 1)];
   const auto render_all = [&] {
-    found.right = right[index];
-    found.coarse = coarse_of(found.right);
-    std::vector<Candidate> all;
-    for (const MistakeEntry& entry : all_mistakes())
-      if (entry.first_stage <= stage) all.push_back({entry.mistake, {}, 0, {}});
-    for (Candidate& candidate : all) {
-      const Image picture = render_stage(stage, candidate.mistake);
+    found.coarse = coarse_of(right_of(stage));
+    for (const MistakeEntry& entry : all_mistakes()) {
+      if (entry.first_stage > stage) continue;
+      // What render() refuses was refused by create().
+      const Image picture = render_stage(stage, entry.mistake).value();
       // A picture that would pass for right is no picture of a mistake.
-      if (measure_errors(picture, found.right, (rubric.tolerance + 0.5) / 255).share() <=
+      if (measure_errors(picture, right_of(stage), (rubric.tolerance + 0.5) / 255).share() <=
           rubric.share)
         continue;
-      candidate.coarse = coarse_of(picture);
+      Candidate candidate{entry.mistake, coarse_of(picture), 0, {}};
       candidate.keep(picture);
       found.visible.push_back(std::move(candidate));
     }
@@ -162,7 +167,7 @@ Match Grader::Impl::best_match(int stage, const Fitted& fitted,
       const double d = mean_square(image, through_scaling(picture, fitted), fitted.region);
       if (d < nearest.distance) nearest = {candidate, w, d};
     };
-    consider(nullptr, all.right);
+    consider(nullptr, right_of(stage));
     for (const Candidate& candidate : all.visible) consider(&candidate, candidate.picture());
   };
   look(0);
@@ -177,8 +182,7 @@ StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) con
     grade.problems = submitted.image.error();
     return grade;
   }
-  const auto index = static_cast<std::size_t>(stage - 1);
-  const Image& wanted = right[index];
+  const Image& wanted = right_of(stage);
   Image handed_in = submitted.image->image;
   if (submitted.image->floats) handed_in = as_stored(handed_in, options.profile.transfer, 8);
   if (stage == 1) handed_in = as_silhouette(handed_in);
@@ -260,12 +264,45 @@ int Grader::Impl::nearest_stage(const Image& image) const {
   double least = std::numeric_limits<double>::infinity();
   // Any picture of the scene has its silhouette.
   for (int stage = 7; stage >= (is_flat(image) ? 1 : 2); --stage) {
-    const Image& wanted = right[static_cast<std::size_t>(stage - 1)];
+    const Image& wanted = right_of(stage);
     const Fitted fitted = fit(stage == 1 ? as_silhouette(image) : image, wanted);
     const double d = mean_square(fitted.image, wanted, fitted.region);
     if (d < least) least = d, nearest = stage;
   }
   return nearest;
+}
+
+/// A picture whose name says nothing is of the nearest stage; or of the last one, if that makes
+/// more of it.
+StageGrade Grader::Impl::judge_alone(const SubmittedPicture& picture) const {
+  if (picture.stage != 0) return judge(picture.stage, picture);
+  if (!picture.image) return judge(7, picture);
+  StageGrade nearest = judge(nearest_stage(picture.image->image), picture);
+  if (nearest.verdict != Verdict::differs) return nearest;
+  StageGrade last = judge(7, picture);
+  return last.verdict == Verdict::differs ? nearest : last;
+}
+
+/// Of two pictures for one stage the first that can be read counts. One whose name says nothing is
+/// of the nearest stage that no other picture is named after.
+std::vector<StageGrade> Grader::Impl::judge_all(
+    const std::vector<SubmittedPicture>& pictures) const {
+  std::array<const SubmittedPicture*, 8> of_stage{};
+  const auto take = [&](const SubmittedPicture& picture, int stage) {
+    const SubmittedPicture*& place = of_stage[static_cast<std::size_t>(stage)];
+    if (place == nullptr || (!place->image && picture.image)) place = &picture;
+  };
+  for (const SubmittedPicture& picture : pictures)
+    if (picture.stage >= 1 && picture.stage <= 7) take(picture, picture.stage);
+  for (const SubmittedPicture& picture : pictures)
+    if (picture.stage == 0 && picture.image) take(picture, nearest_stage(picture.image->image));
+
+  std::vector<StageGrade> grades;
+  for (int stage = 1; stage <= 7; ++stage) {
+    const SubmittedPicture* picture = of_stage[static_cast<std::size_t>(stage)];
+    grades.push_back(picture != nullptr ? judge(stage, *picture) : StageGrade{.stage = stage});
+  }
+  return grades;
 }
 
 /// A mistake costs where it comes first.
@@ -295,11 +332,9 @@ Result<Grader> Grader::create(const Scene& scene, const RenderOptions& options,
   std::unique_ptr<Impl> impl(new Impl{scene, options, rubric, {}, {}});
   impl->options.isa.reset();  // all have the same bits, and the oracle makes no mistakes
   for (int stage = 1; stage <= 7; ++stage) {
-    RenderOptions asked = options;
-    asked.terms = terms_of(static_cast<Stage>(stage));
-    if (const Result<Rendering> rendering = render(scene, asked); !rendering)
-      return tl::make_unexpected(rendering.error());
-    impl->right[static_cast<std::size_t>(stage - 1)] = impl->render_stage(stage, Mistake::none);
+    Result<Image> picture = impl->render_stage(stage, Mistake::none);
+    if (!picture) return tl::make_unexpected(picture.error());
+    impl->right[static_cast<std::size_t>(stage - 1)] = std::move(*picture);
   }
   return Grader(std::move(impl));
 }
@@ -309,11 +344,10 @@ const Rubric& Grader::rubric() const {
 }
 
 Image Grader::picture(int stage, Mistake mistake) const {
-  const Image& right = impl_->right[static_cast<std::size_t>(stage - 1)];
-  if (mistake == Mistake::none) return right;
-  for (const Candidate& candidate : impl_->pictures(stage).visible)
-    if (candidate.mistake == mistake) return candidate.picture();
-  return right;
+  if (mistake != Mistake::none)
+    for (const Candidate& candidate : impl_->pictures(stage).visible)
+      if (candidate.mistake == mistake) return candidate.picture();
+  return impl_->right_of(stage);
 }
 
 Grade Grader::grade(const std::string& path) const {
@@ -325,30 +359,17 @@ Grade Grader::grade(const std::string& path) const {
       grade.problems = pictures.error();
       return grade;
     }
-    std::array<const SubmittedPicture*, 8> by_stage{};
-    for (SubmittedPicture& picture : *pictures) {
-      const bool alone = pictures->size() == 1;
-      if (picture.stage == 8 || (picture.stage == 0 && !alone)) continue;
-      if (picture.stage == 0 && picture.image)
-        picture.stage = impl_->nearest_stage(picture.image->image);
-      if (picture.stage == 0) picture.stage = 7;
-      const SubmittedPicture*& place = by_stage[static_cast<std::size_t>(picture.stage)];
-      if (place == nullptr || (!place->image && picture.image)) place = &picture;
-    }
     const bool alone = pictures->size() == 1;
-    for (int stage = 1; stage <= 7; ++stage) {
-      const SubmittedPicture* picture = by_stage[static_cast<std::size_t>(stage)];
-      if (picture != nullptr)
-        grade.stages.push_back(impl_->judge(stage, *picture));
-      else if (!alone)
-        grade.stages.push_back({.stage = stage});
+    if (alone && pictures->front().stage == kNoStage) {
+      grade.problems = {{.file = path,
+                         .message = fmt::format("'{}' is called like a letter or a difference, "
+                                                "which get no marks",
+                                                shown(pictures->front().file)),
+                         .hint = "call it by its stage, 1 to 7"}};
+      return grade;
     }
-    // A picture whose name says nothing is the last one, if that makes more of it.
-    if (alone && grade.stages.front().verdict == Verdict::differs &&
-        stage_of_name(pictures->front().file) == 0) {
-      StageGrade last = impl_->judge(7, pictures->front());
-      if (last.verdict != Verdict::differs) grade.stages.front() = std::move(last);
-    }
+    grade.stages =
+        alone ? std::vector{impl_->judge_alone(pictures->front())} : impl_->judge_all(*pictures);
     impl_->mark(grade.stages);
     if (alone) grade.of = 0;
     for (const StageGrade& stage : grade.stages) {
@@ -362,25 +383,19 @@ Grade Grader::grade(const std::string& path) const {
   return grade;
 }
 
-std::vector<std::pair<bool, std::string>> Grader::told_apart(std::string_view language,
-                                                             const StageGrade& stage) const {
-  std::vector<std::pair<bool, std::string>> told;
-  if (stage.mistakes.empty()) return told;
+std::optional<ToldApart> Grader::told_apart(const StageGrade& stage) const {
+  if (stage.mistakes.empty()) return std::nullopt;
   const Mistake mistake = stage.mistakes.front();
   const std::vector<PixelPair> worst =
       worst_pixels(picture(stage.stage, mistake), picture(stage.stage), 0, 1);
-  if (worst.empty()) return told;
-  RenderOptions options = impl_->options;
-  options.terms = terms_of(static_cast<Stage>(stage.stage));
-  for (const bool wrong : {false, true}) {
-    options.mistake = wrong ? mistake : Mistake::none;
-    const Result<Explanation> explanation =
-        explain(impl_->scene, options, worst.front().x, worst.front().y);
-    if (explanation)
-      told.emplace_back(
-          wrong, in_words(language_named(language).value_or(Language::english), *explanation));
-  }
-  return told;
+  if (worst.empty()) return std::nullopt;
+  const auto explained = [&](Mistake made) {
+    return explain(impl_->scene, impl_->options_of(stage.stage, made), worst.front().x,
+                   worst.front().y);
+  };
+  Result<Explanation> right = explained(Mistake::none), mistaken = explained(mistake);
+  if (!right || !mistaken) return std::nullopt;  // a tree too large to be explained
+  return ToldApart{std::move(*right), std::move(*mistaken)};
 }
 
 Rubric default_rubric() {

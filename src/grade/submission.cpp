@@ -28,9 +28,11 @@ std::string lower_case(std::string text) {
   return text;
 }
 
+/// By its name; those of formats that cannot be read are told so.
 bool is_picture(const std::string& file) {
   const std::string extension = lower_case(fs::path(file).extension().string());
-  for (const char* known : {".png", ".jpg", ".jpeg", ".ppm", ".pgm", ".pnm", ".pfm", ".exr"})
+  for (const char* known : {".png", ".jpg", ".jpeg", ".ppm", ".pgm", ".pnm", ".pfm", ".exr", ".bmp",
+                            ".gif", ".tif", ".tiff", ".webp"})
     if (extension == known) return true;
   return false;
 }
@@ -66,7 +68,7 @@ Result<std::vector<SubmittedPicture>> from_folder(const std::string& path) {
     pictures.push_back({relative.string(), stage_of_name(relative.filename().string()), {}});
   }
   for (SubmittedPicture& picture : pictures)
-    if (picture.stage != 8)
+    if (picture.stage != kNoStage)
       picture.image = read_image((fs::path(path) / picture.file).string(), kMostPixels);
   return pictures;
 }
@@ -112,7 +114,7 @@ Result<std::vector<SubmittedPicture>> from_archive(const std::string& path) {
       continue;
     if (pictures.size() == kMostFiles) return too_many(path);
     SubmittedPicture picture{name, stage_of_name(inside.filename().string()), {}};
-    if (picture.stage != 8) {
+    if (picture.stage != kNoStage) {
       const Result<std::string> bytes = read_entry(from.get(), name);
       picture.image = bytes ? parse_image(*bytes, name, kMostPixels)
                             : Result<ReadImage>(tl::make_unexpected(bytes.error()));
@@ -126,7 +128,7 @@ Result<std::vector<SubmittedPicture>> from_archive(const std::string& path) {
 int stage_of_name(const std::string& file) {
   const std::string name = lower_case(fs::path(file).stem().string());
   for (const char* other : {"contact", "difference", "change", "razlik", "letter", "slovo", "heat"})
-    if (name.find(other) != std::string::npos) return 8;
+    if (name.find(other) != std::string::npos) return kNoStage;
   constexpr struct {
     const char* part;
     int stage;
@@ -143,7 +145,7 @@ int stage_of_name(const std::string& file) {
   for (std::size_t i = 0; i < name.size(); ++i)
     if (digit(i) && !digit(i + 1) && (i == 0 || !digit(i - 1) || name[i - 1] == '0'))
       stage = name[i] - '0';
-  return stage > 8 ? 0 : stage;
+  return stage > kNoStage ? 0 : stage;
 }
 
 Result<std::vector<SubmittedPicture>> read_submission(const std::string& path) {

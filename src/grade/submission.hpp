@@ -9,9 +9,12 @@
 
 namespace zraka {
 
+/// The stage of letters, differences and contact sheets, which get no marks.
+inline constexpr int kNoStage = 8;
+
 struct SubmittedPicture {
   std::string file;  ///< as it is called in the submission
-  int stage = 0;     ///< by its name: 1 to 7, 0 where the name does not say
+  int stage = 0;     ///< by its name: 1 to 7, kNoStage, or 0 where the name does not say
   Result<ReadImage> image;
 };
 
@@ -20,8 +23,8 @@ struct SubmittedPicture {
 /// of the path is touched.
 Result<std::vector<SubmittedPicture>> read_submission(const std::string& path);
 
-/// The stage that a file's name tells, in English or Croatian: 0 where it tells none, 8 where it is
-/// none of the seven.
+/// The stage that a file's name tells, in English or Croatian: 0 where it tells none, or
+/// kNoStage.
 int stage_of_name(const std::string& file);
 
 }  // namespace zraka

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.hpp"
+#include "explain/names.hpp"
+#include "explain/sentence.hpp"
 
 namespace zraka {
 namespace {
@@ -38,7 +40,7 @@ std::string alignment_text(Language language, const Alignment& a) {
 }
 
 std::string_view stage_name(Language language, int stage) {
-  return text_of(language, static_cast<Word>(static_cast<int>(Word::stage_silhouette) + stage - 1));
+  return text_of(language, static_cast<Stage>(stage));
 }
 
 std::string_view verdict_key(Verdict verdict) {
@@ -88,11 +90,6 @@ Json json_of(Language language, const Grader& grader, const Grade& grade) {
 
 }  // namespace
 
-std::string_view text_of(Language language, Mistake mistake) {
-  const MistakeEntry& entry = entry_of(mistake);
-  return language == Language::english ? entry.english : entry.croatian;
-}
-
 std::vector<std::string> findings(Language language, const Grader& grader,
                                   const StageGrade& stage) {
   std::vector<std::string> lines;
@@ -129,10 +126,11 @@ std::vector<std::string> findings(Language language, const Grader& grader,
     lines.push_back(say(language, Word::grade_pixel, fmt::format("({}, {})", pair.x, pair.y),
                         bytes(pair.a), bytes(pair.b)));
     if (stage.verdict == Verdict::mistaken)
-      for (const auto& [word, text] :
-           grader.told_apart(language == Language::croatian ? "hr" : "en", stage))
+      if (const std::optional<ToldApart> apart = grader.told_apart(stage)) {
+        lines.push_back(say(language, Word::grade_right_pixel, in_words(language, apart->right)));
         lines.push_back(
-            say(language, word ? Word::grade_wrong_pixel : Word::grade_right_pixel, text));
+            say(language, Word::grade_wrong_pixel, in_words(language, apart->mistaken)));
+      }
   }
   return lines;
 }

@@ -10,9 +10,6 @@
 
 namespace zraka {
 
-/// The mistake in a sentence without a full stop.
-std::string_view text_of(Language language, Mistake mistake);
-
 /// What was found out about a stage, line by line; the first says what it is.
 std::vector<std::string> findings(Language language, const Grader& grader, const StageGrade& stage);
 
