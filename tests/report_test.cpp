@@ -317,7 +317,7 @@ TEST(Report, StopsWhereItCannotGoOn) {
   EXPECT_EQ(measure_stages(tangled_scene(10), options, take).error().front().message,
             "the render was cancelled");
   EXPECT_EQ(measure_stages(tangled_scene(10), {.isa = Isa::oracle}, take).error().front().message,
-            "the oracle's rays are not a picture's");
+            "the oracle's numbers are doubles, and no picture's: it explains nothing");
   int calls = 0;
   const auto refuse = [&](Stage, const StagePictures&) -> Result<void> {
     ++calls;

@@ -7,6 +7,7 @@
 #include <zraka/explain.hpp>
 
 #include "explain/recording.hpp"
+#include "explain/tile_listeners.hpp"
 #include "render/isa.hpp"
 #include "render/mistake.hpp"
 #include "render/prepare.hpp"
@@ -306,10 +307,6 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
   return explanation;
 }
 
-}  // namespace
-
-namespace {
-
 Stand stand_for(const Scene& scene, const RenderOptions& options, Isa isa) {
   const bool right = options.mistake == Mistake::none;
   const RenderOptions made = mistaken_options(options);
@@ -331,13 +328,8 @@ Explainer& Explainer::operator=(Explainer&&) noexcept = default;
 Explainer::~Explainer() = default;
 
 Result<Explainer> Explainer::create(const Scene& scene, const RenderOptions& options) {
-  Diagnostics problems = check_request(scene, options);
-  if (!problems.empty()) return tl::make_unexpected(std::move(problems));
-  const Result<Isa> isa = choose_isa(options.isa);
+  const Result<Isa> isa = isa_to_listen_to(scene, options);
   if (!isa) return tl::make_unexpected(isa.error());
-  if (*isa == Isa::oracle)
-    return failure("", "the oracle's numbers are doubles, and no picture's: it explains nothing",
-                   "ask for avx512, avx2 or portable");
   try {
     return Explainer(std::unique_ptr<Impl>(new Impl{stand_for(scene, options, *isa)}));
   } catch (const std::bad_alloc&) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Influence: listens to the renderer's steps on every tile, and notes which rays meet one shape.
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <algorithm>
 #include <map>
@@ -13,9 +10,7 @@
 
 #include "engine/tile_order.hpp"
 #include "explain/recording.hpp"
-#include "render/isa.hpp"
-#include "render/prepare.hpp"
-#include "render/tiles.hpp"
+#include "explain/tile_listeners.hpp"
 #include "render/workspace.hpp"
 
 namespace zraka {
@@ -212,12 +207,8 @@ std::uint64_t Influence::count(unsigned bits) const {
 
 Result<Influence> influence(const Scene& scene, const RenderOptions& options,
                             const ShapeId& shape) {
-  Diagnostics problems = check_request(scene, options);
-  if (!problems.empty()) return tl::make_unexpected(std::move(problems));
-  const Result<Isa> isa = choose_isa(options.isa);
-  if (!isa) return tl::make_unexpected(isa.error());
-  if (*isa == Isa::oracle)
-    return failure("", "the oracle's rays are not a picture's", "ask for avx512, avx2 or portable");
+  if (const Result<Isa> isa = isa_to_listen_to(scene, options); !isa)
+    return tl::make_unexpected(isa.error());
   try {
     const PreparedScene<float> prepared = prepare<float>(scene, options.profile);
     const FrozenScene<float>& frozen = prepared.store->scene;
@@ -228,23 +219,20 @@ Result<Influence> influence(const Scene& scene, const RenderOptions& options,
     found.width = scene.resolution.width;
     found.height = scene.resolution.height;
     found.pixels.resize(std::size_t{found.width} * found.height);
-    const int tile = options.tile == 0 ? kDefaultTile : options.tile;
-    const int threads = options.threads == 0 ? tbb::info::default_concurrency() : options.threads;
     const bool corners = options.profile.average_corners;
-    const std::int32_t side = tile + (corners ? 1 : 0);
     const TraceSettings settings = settings_of(options, prepared.frame);
-    tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                              static_cast<std::size_t>(threads));
-    tbb::enumerable_thread_specific<std::unique_ptr<WayReader>> readers([&] {
-      return std::make_unique<WayReader>(slot, corners, side * side, settings.max_depth);
-    });
-    const bool complete = each_tile(
-        found.width, found.height, tile, threads, options.cancel,
-        [&](const TileRect& rect) { readers.local()->read(frozen, settings, rect, found); });
-    if (!complete) return failure("", "the search was cancelled");
+    const auto readers = listen_to_tiles<WayReader>(
+        scene.resolution, options,
+        [&](std::int32_t batch) {
+          return std::make_unique<WayReader>(slot, corners, batch, settings.max_depth);
+        },
+        [&](WayReader& reader, const TileRect& rect) {
+          reader.read(frozen, settings, rect, found);
+        });
+    if (!readers) return failure("", "the search was cancelled");
 
     std::map<WayReader::Key, std::uint64_t> counts;
-    for (const std::unique_ptr<WayReader>& reader : readers) reader->add_counts_to(counts);
+    for (const std::unique_ptr<WayReader>& reader : *readers) reader->add_counts_to(counts);
     for (const auto& [key, pixels] : counts)
       found.ways.push_back({std::get<0>(key), std::get<1>(key), std::get<2>(key), pixels});
     std::sort(found.ways.begin(), found.ways.end(),

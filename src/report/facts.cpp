@@ -3,18 +3,13 @@
 #include "report/facts.hpp"
 
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <algorithm>
 #include <new>
 #include <set>
 
+#include "explain/tile_listeners.hpp"
 #include "image/alter.hpp"
-#include "render/isa.hpp"
-#include "render/prepare.hpp"
-#include "render/tiles.hpp"
 #include "report/listener.hpp"
 
 namespace zraka {
@@ -80,24 +75,19 @@ class Measurement {
 
 Result<RayTally> Measurement::listen() {
   const Resolution& size = scene_.resolution;
-  const int tile = options_.tile == 0 ? kDefaultTile : options_.tile;
-  const int threads = options_.threads == 0 ? tbb::info::default_concurrency() : options_.threads;
   const bool corners = options_.profile.average_corners;
-  const std::int32_t side = tile + (corners ? 1 : 0);
   const TraceSettings settings = settings_of(options_, prepared_.frame);
-  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                            static_cast<std::size_t>(threads));
-  tbb::enumerable_thread_specific<std::unique_ptr<StageListener>> listeners([&] {
-    return std::make_unique<StageListener>(frozen(), settings, corners,
-                                           static_cast<std::int32_t>(size.width),
-                                           static_cast<std::int32_t>(size.height), side * side);
-  });
-  const bool complete =
-      each_tile(size.width, size.height, tile, threads, options_.cancel,
-                [&](const TileRect& rect) { listeners.local()->read(rect, seen_); });
-  if (!complete) return failure("", "the report was cancelled");
+  const auto listeners = listen_to_tiles<StageListener>(
+      size, options_,
+      [&](std::int32_t batch) {
+        return std::make_unique<StageListener>(frozen(), settings, corners,
+                                               static_cast<std::int32_t>(size.width),
+                                               static_cast<std::int32_t>(size.height), batch);
+      },
+      [&](StageListener& listener, const TileRect& rect) { listener.read(rect, seen_); });
+  if (!listeners) return failure("", "the report was cancelled");
   RayTally tally;
-  for (const std::unique_ptr<StageListener>& listener : listeners) tally.add(listener->tally());
+  for (const std::unique_ptr<StageListener>& listener : *listeners) tally.add(listener->tally());
   return tally;
 }
 
@@ -223,12 +213,8 @@ Result<void> Measurement::stage(
 Result<SceneFacts> measure_stages(
     const Scene& scene, RenderOptions options,
     const std::function<Result<void>(Stage, const StagePictures&)>& take) {
-  Diagnostics problems = check_request(scene, options);
-  if (!problems.empty()) return tl::make_unexpected(std::move(problems));
-  const Result<Isa> isa = choose_isa(options.isa);
-  if (!isa) return tl::make_unexpected(isa.error());
-  if (*isa == Isa::oracle)
-    return failure("", "the oracle's rays are not a picture's", "ask for avx512, avx2 or portable");
+  if (const Result<Isa> isa = isa_to_listen_to(scene, options); !isa)
+    return tl::make_unexpected(isa.error());
   try {
     Measurement measurement(scene, options);
     measurement.facts.resolution = scene.resolution;
