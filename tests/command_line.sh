@@ -1,26 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # command_line.sh PROGRAM: the program as people meet it: exit codes, words, files that stay whole.
-set -u
-zraka=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failed=0
+. "$(dirname "$0")/helpers.sh"
 scene=scenes/lab/input.txt
-
-fail() {
-  echo "FAILED: $*"
-  failed=1
-}
-# expect CODE TEXT COMMAND…: the exit code, and text that standard error or output has.
-expect() {
-  local code=$1 text=$2 got
-  shift 2
-  "$@" >"$folder/words" 2>&1 </dev/null
-  got=$?
-  [ "$got" = "$code" ] || fail "exit code $got instead of $code: $* ($(head -c 300 "$folder/words"))"
-  grep -qF -- "$text" "$folder/words" || fail "no '$text' from: $* ($(head -c 300 "$folder/words"))"
-}
 
 # Help and version.
 expect 0 "Examples:" "$zraka" --help
@@ -123,5 +105,4 @@ wait $!
 [ $? = 130 ] || fail "Ctrl-C does not end with 130"
 [ "$(find "$folder" -name 'slow.png*' | wc -l)" = 0 ] || fail "Ctrl-C leaves a file"
 
-[ $failed = 0 ] && echo "all well"
-exit $failed
+finish

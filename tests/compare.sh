@@ -1,25 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # compare.sh PROGRAM: zraka compare from outside: exit codes, words, JSON, heat maps, the page.
-set -u
-zraka=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failed=0
-
-fail() {
-  echo "FAILED: $*"
-  failed=1
-}
-# expect CODE TEXT COMMAND…: the exit code, and text that standard error or output has.
-expect() {
-  local code=$1 text=$2 got
-  shift 2
-  "$@" >"$folder/words" 2>&1 </dev/null
-  got=$?
-  [ "$got" = "$code" ] || fail "exit code $got instead of $code: $* ($(head -c 300 "$folder/words"))"
-  grep -qF -- "$text" "$folder/words" || fail "no '$text' from: $* ($(head -c 300 "$folder/words"))"
-}
+. "$(dirname "$0")/helpers.sh"
 
 "$zraka" render scenes/lab/input.txt -o "$folder/a.png" --width 60 || fail "render"
 "$zraka" render scenes/lab/input.txt -o "$folder/b.png" --width 60 --stage shadows || fail "render"
@@ -113,5 +95,4 @@ else
   echo "no browser: the page has not been opened"
 fi
 
-[ $failed = 0 ] && echo "all well"
-exit $failed
+finish

@@ -1,40 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # explain.sh PROGRAM: zraka explain from outside: words, exit codes, files.
-set -u
-zraka=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failed=0
+. "$(dirname "$0")/helpers.sh"
 scene=scenes/lab/input.txt
-
-fail() {
-  echo "FAILED: $*"
-  failed=1
-}
-# expect CODE TEXT COMMAND…: the exit code, and text that standard error or output has.
-expect() {
-  local code=$1 text=$2 got
-  shift 2
-  "$@" >"$folder/words" 2>&1 </dev/null
-  got=$?
-  [ "$got" = "$code" ] || fail "exit code $got instead of $code: $* ($(head -c 300 "$folder/words"))"
-  grep -qF -- "$text" "$folder/words" || fail "no '$text' from: $* ($(head -c 300 "$folder/words"))"
-}
-# exactly TEXT COMMAND…: all that standard error says.
-exactly() {
-  local text=$1 got
-  shift
-  got=$("$@" 2>&1 >/dev/null </dev/null)
-  [ "$got" = "$text" ] || fail "'$got' instead of '$text' from: $*"
-}
 
 # Usage.
 expect 0 "Examples:" "$zraka" explain --help
 for bad in -1 a 1.5 "" " 3" 3x; do
-  exactly "X: '$bad' is not a whole number, 0 or more
+  exactly 2 "X: '$bad' is not a whole number, 0 or more
 Run with --help for more information." "$zraka" explain $scene "$bad" 5
-  exactly "Y: '$bad' is not a whole number, 0 or more
+  exactly 2 "Y: '$bad' is not a whole number, 0 or more
 Run with --help for more information." "$zraka" explain $scene 5 "$bad"
 done
 expect 2 "Y is required" "$zraka" explain $scene 5
@@ -43,7 +18,7 @@ expect 2 "--format: pdf not in" "$zraka" explain $scene 5 5 --format pdf
 expect 2 "'8' is not a stage" "$zraka" explain $scene 5 5 --stage 8
 
 # Bad input.
-exactly "error: pixel (400, 399) is outside of the picture of 400×400 pixels
+exactly 1 "error: pixel (400, 399) is outside of the picture of 400×400 pixels
   columns go from 0 to 399 from the left, rows from 0 to 399 from the top" "$zraka" explain $scene 400 399
 expect 1 "pixel (4294967295, 0) is outside of the picture of 400×400 pixels" "$zraka" explain $scene 99999999999999999999 0
 expect 1 "pixel (30, 30) is outside of the picture of 20×20 pixels" "$zraka" explain $scene 30 30 --width 20
@@ -94,10 +69,9 @@ expect 0 '"through_glass":' "$zraka" influence $scene sphere 3 --format json
 expect 0 "orange seen from the eye" "$zraka" influence $scene staklo -o "$folder/marked.png"
 [ "$(head -c 4 "$folder/marked.png" | tail -c 3)" = PNG ] || fail "no picture of influence"
 "$zraka" influence $scene staklo -o - | cmp -s - "$folder/marked.png" || fail "influence to standard output"
-exactly "error: the scene has no shape 'zelen'
+exactly 1 "error: the scene has no shape 'zelen'
   it has sphere 1 to sphere 7; names are 'tlo', 'zrcalo', 'staklo', 'crvena', 'zuta', 'zelena', 'modra'" \
   "$zraka" influence $scene zelen
 expect 2 "NAME" "$zraka" influence $scene
 
-[ $failed = 0 ] && echo "all well"
-exit $failed
+finish

@@ -1,25 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # report.sh PROGRAM: zraka report from outside: words, exit codes, files, the archive.
-set -u
-zraka=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failed=0
+. "$(dirname "$0")/helpers.sh"
 scene=scenes/lab/input.txt
-
-fail() {
-  echo "FAILED: $*"
-  failed=1
-}
-# exactly CODE TEXT COMMAND…: the exit code, and all that standard error says.
-exactly() {
-  local code=$1 text=$2 got
-  shift 2
-  got=$("$@" 2>&1 >/dev/null </dev/null)
-  [ $? = "$code" ] || fail "not the exit code $code: $*"
-  [ "$got" = "$text" ] || fail "'$got' instead of '$text' from: $*"
-}
 
 # Wrong usage, bad input.
 "$zraka" report --help | grep -q "Examples:" || fail "no examples"
@@ -69,5 +52,4 @@ grep -q "Autor: Ana Šarić" "$folder/hr/izvjestaj.html" || fail "no author"
 grep -q "“Đ” built of" "$folder/en/report.html" || fail "the letter is not in the report"
 "$zraka" report - -o "$folder/piped" --width 20 -q <$scene || fail "no report from standard input"
 
-[ $failed = 0 ] && echo "all well"
-exit $failed
+finish
