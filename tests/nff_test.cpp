@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // NFF: what it means, and the exact answer to each way of getting it wrong.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 #include <zraka/formats.hpp>
 
+#include "formats/formats.hpp"
 #include "scene/polygon.hpp"
 
 namespace zraka {
@@ -25,6 +27,65 @@ Scene scene(const std::string& text) {
   const Result<ReadScene> read = parse_scene(text, "f.nff");
   if (!read) ADD_FAILURE() << to_string(read.error().front());
   return read ? read->scene : Scene{};
+}
+
+/// All that a reader gives, as text.
+std::string told(const Result<ReadScene>& read) {
+  std::string all;
+  if (!read) {
+    for (const Diagnostic& d : read.error()) all += to_string(d) + "\n";
+    return all;
+  }
+  for (const Diagnostic& d : read->warnings) all += to_string(d) + "\n";
+  const Scene& s = read->scene;
+  const auto add = [&](const Vec3& v) { all += fmt::format("{} {} {} ", v.x, v.y, v.z); };
+  for (const Material& m : s.materials)
+    all += fmt::format("{} {} {}\n", m.diffuse.r, m.refraction, m.refractive);
+  for (const auto& [shape, material] : s.spheres)
+    add(shape.center), all += fmt::format("{} {}\n", shape.radius, material);
+  for (const auto& [shape, material] : s.cones)
+    add(shape.base), add(shape.apex), all += fmt::format("{}\n", material);
+  for (const auto& [shape, material] : s.triangles)
+    add(shape.a), add(shape.b), add(shape.c), all += fmt::format("{}\n", material);
+  for (const auto& [shape, material] : s.smooth_triangles)
+    add(shape.a), add(shape.normal_c), all += fmt::format("{}\n", material);
+  for (const PointLight& l : s.lights) add(l.position), all += fmt::format("{}\n", l.color.g);
+  return all;
+}
+
+// Blocks are read side by side: whatever the place of their borders, the scene and the words about
+// a broken file are those of one reader.
+TEST(Nff, IsTheSameFromBlocksOfAnySize) {
+  std::string shapes;
+  for (int i = 0; i < 40; ++i) {
+    shapes += fmt::format("s {} 2 3 0.5 # f 1 2\n", i);
+    if (i % 3 == 0) shapes += fmt::format("f {} 0.5 0 0.8 0.3 20 0.4 1.5\n", i % 4);
+    if (i % 4 == 0) shapes += "c 0 0 0 1\n 0 0 2 0.5\n# s 1 1 1 1\n";
+    if (i % 5 == 0) shapes += "p 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+    if (i % 7 == 0) shapes += "pp 3\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n";
+  }
+  const std::string whole = kView + kMaterial + "l 1 2 3\n" + shapes;
+  const std::string texts[] = {
+      whole,
+      kView + shapes,                                     // shapes before any material
+      shapes + kView,                                     // the view at the end
+      kMaterial + shapes + kView + shapes + "l 4 5 6\n",  // in the middle
+      whole + "c 0 0 0 1\n" + shapes,                     // a cone that a sphere breaks off
+      whole + "p 3\n0 0 0\n1 0 0\n" + shapes,
+      whole + "s 1 2 3 -0.5\n" + shapes + "s 1 2 3 -0.5\n",
+      whole + "x 1\n" + shapes + "s 1 2\n",
+      whole + "s 1 2 3 0\ns a 1 2 3\n" + shapes + "s 1 2 3",
+      kMaterial + shapes,  // no view
+      "v\nfrom 0 0 5\ns 1 2 3 4\n" + shapes,
+  };
+  const Passed nobody = [](const char*) {};
+  for (const std::string& text : texts) {
+    const std::string wanted = told(parse_nff(text, "f.nff", nobody));
+    for (std::size_t block : {1, 2, 7, 20, 100, 1000, 100000})
+      ASSERT_EQ(told(parse_nff_by_blocks(text, "f.nff", nobody, block)), wanted)
+          << "blocks of " << block << ":\n"
+          << text.substr(0, 200);
+  }
 }
 
 TEST(Nff, HasAViewThroughAWindow) {

@@ -2,11 +2,13 @@
 #include "render_options.hpp"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 #include "terminal.hpp"
 
@@ -83,7 +85,12 @@ void RenderWords::add_to(CLI::App& command) {
 }
 
 Result<Scene> RenderWords::load() const {
+  // Large files are read on several threads, but not on more than were asked for.
+  std::optional<tbb::global_control> limit;
+  if (threads > 0)
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   Result<ReadScene> read = read_scene(scene);
+  limit.reset();
   if (!read) return tl::make_unexpected(read.error());
   if (!quiet) show(read->warnings);
   Scene& loaded = read->scene;

@@ -23,6 +23,9 @@ struct Format {
 /// Does the text begin, comments aside, with a word of NFF that stands before shapes?
 bool looks_like_nff(std::string_view text);
 Result<ReadScene> parse_nff(std::string_view text, const std::string& name, const Passed& passed);
+/// The same by blocks of about so many bytes, on all threads.
+Result<ReadScene> parse_nff_by_blocks(std::string_view text, const std::string& name,
+                                      const Passed& passed, std::size_t block);
 Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name, const Passed&);
 
 }  // namespace zraka
