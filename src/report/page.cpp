@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/page.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/base64.hpp"
+#include "core/counted.hpp"
 #include "core/text.hpp"
-#include "image/alter.hpp"
 #include "report/comments.hpp"
 
 namespace zraka {
@@ -209,15 +208,6 @@ void Page::times() {
 std::string report_page(const SceneFacts& facts, const std::array<ReportPicture, 7>& pictures,
                         const std::optional<ReportLetter>& letter, const ReportOptions& options) {
   return Page(facts, pictures, letter, options).write();
-}
-
-Result<std::string> png_for_page(const Image& stored) {
-  const std::uint32_t longest = std::max(stored.width, stored.height);
-  if (longest <= kReportSide) return encode_png(stored);
-  const auto reduced = [&](std::uint32_t side) {
-    return std::max(1u, static_cast<std::uint32_t>(std::uint64_t{side} * kReportSide / longest));
-  };
-  return encode_png(scaled_by_area(stored, reduced(stored.width), reduced(stored.height)));
 }
 
 }  // namespace zraka
