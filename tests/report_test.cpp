@@ -7,7 +7,9 @@
 #include <regex>
 #include <set>
 
+#include "core/counted.hpp"
 #include "image/alter.hpp"
+#include "image/page_picture.hpp"
 #include "language.hpp"
 #include "report/archive.hpp"
 #include "report/comments.hpp"

@@ -22,10 +22,11 @@ CLI::App* add_generate(CLI::App& program, Command& command);
 CLI::App* add_info(CLI::App& program, Command& command);
 CLI::App* add_compare(CLI::App& program, Command& command);
 CLI::App* add_grade(CLI::App& program, Command& command);
+CLI::App* add_quiz(CLI::App& program, Command& command);
 CLI::App* add_report(CLI::App& program, Command& command);
 
 inline constexpr AddCommand kCommands[] = {add_render,   add_stages, add_explain, add_influence,
                                            add_generate, add_info,   add_compare, add_report,
-                                           add_grade};
+                                           add_grade,    add_quiz};
 
 }  // namespace zraka::app

@@ -9,6 +9,7 @@
 #include "core/text.hpp"
 #include "generate/letter.hpp"
 #include "image/alter.hpp"
+#include "image/page_picture.hpp"
 #include "progress.hpp"
 #include "render_options.hpp"
 #include "report/archive.hpp"

@@ -10,5 +10,6 @@
 #include <zraka/image.hpp>
 #include <zraka/influence.hpp>
 #include <zraka/mistakes.hpp>
+#include <zraka/quiz.hpp>
 #include <zraka/render.hpp>
 #include <zraka/scene.hpp>

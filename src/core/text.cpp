@@ -207,6 +207,17 @@ std::string html_text(std::string_view text) {
   return out;
 }
 
+std::string html_prose(std::string_view text) {
+  const auto digit = [&](std::size_t i) {
+    return i < text.size() && text[i] >= '0' && text[i] <= '9';
+  };
+  std::string together;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    together += i > 0 && text[i] == ' ' && digit(i - 1) && digit(i + 1) ? "\u00A0"
+                                                                        : std::string(1, text[i]);
+  return html_text(together);
+}
+
 std::string grouped(unsigned long long number) {
   const std::string digits = std::to_string(number);
   std::string text;

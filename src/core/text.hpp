@@ -51,6 +51,9 @@ std::string shown(std::string_view text);
 /// Text as it stands in an HTML page; what is no character is replaced.
 std::string html_text(std::string_view text);
 
+/// The same for prose: the groups of a number's digits stay on one line.
+std::string html_prose(std::string_view text);
+
 /// 1234567 as "1 234 567".
 std::string grouped(unsigned long long number);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base64.hpp"
+#include "core/page_css.hpp"
 #include "core/text.hpp"
 #include "explain/angles.hpp"
 #include "explain/math_ml.hpp"
@@ -84,8 +85,8 @@ void Page::head() {
   const std::string title = say(Word::page_title, e_.x, e_.y);
   put("<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n",
-      code_of(options_.language), title, kPageCss);
+      "<title>{}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n",
+      code_of(options_.language), title, kSharedCss, kPageCss);
   std::string facts = say(Word::pixel_of, e_.x, e_.y, e_.resolution.width, e_.resolution.height);
   if (options_.profile)
     facts += fmt::format(" · {}", say(kProfiles[static_cast<int>(*options_.profile)]));

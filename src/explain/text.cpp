@@ -156,7 +156,10 @@ void Writer::child(const RayTree& tree, const Child& child, RayKind kind, const 
                     short_number(child.share), say(Word::weight, short_number(next.weight)));
     line(bare + "├─ ",
          swatch(next.color) + in(reflected ? Style::reflected : Style::refracted, title));
-    ray(tree, static_cast<std::size_t>(child.ray), bare + "│  ");
+    if (!options_.sums_only)
+      ray(tree, static_cast<std::size_t>(child.ray), bare + "│  ");
+    else
+      line(bare + "│  └ ", "C = " + in(Style::result, short_vector(next.color)));
     return;
   }
   std::string why = reflected ? "k1 = 0" : "k2 = 0";
@@ -216,9 +219,11 @@ std::string Writer::header() const {
 }
 
 std::string Writer::write() {
-  line("", in(Style::strong, header()));
-  if (e_.mistake != Mistake::none)
-    line("", in(Style::shadow, say(Word::with_mistake, text_of(options_.language, e_.mistake))));
+  if (!options_.sums_only) {
+    line("", in(Style::strong, header()));
+    if (e_.mistake != Mistake::none)
+      line("", in(Style::shadow, say(Word::with_mistake, text_of(options_.language, e_.mistake))));
+  }
   for (std::size_t t = 0; t < e_.trees.size(); ++t) {
     const ExplainedRay& root = e_.trees[t].rays.front();
     std::string title = say(Word::ray_camera);
@@ -234,7 +239,7 @@ std::string Writer::write() {
   line("", fmt::format("{}{}: {}, {} ({}, {}, {})", swatch(e_.color), say(Word::color_of_pixel),
                        in(Style::result, short_vector(e_.color)), say(Word::color_in_file), byte(0),
                        byte(1), byte(2)));
-  line("", in(Style::strong, in_words(options_.language, e_)));
+  if (!options_.sums_only) line("", in(Style::strong, in_words(options_.language, e_)));
   return std::move(out_);
 }
 

@@ -14,6 +14,9 @@ struct TextOptions {
   bool color = false;   ///< with a terminal's colour codes
   std::string scene{};  ///< its name
   std::optional<ProfileName> profile{};
+  /// Only what the rays from the eye sum up: of rays below them what they bring back, no title,
+  /// no sentence.
+  bool sums_only = false;
 };
 
 std::string to_text(const Explanation& explanation, const TextOptions& options);

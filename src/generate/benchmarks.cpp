@@ -9,6 +9,7 @@
 #include <zraka/values.hpp>
 
 #include "core/file.hpp"
+#include "core/random.hpp"
 
 namespace zraka {
 namespace {
@@ -70,21 +71,6 @@ class Lines {
   }
   std::FILE* stream_;
   fmt::memory_buffer buffer_;
-};
-
-/// The same numbers on every machine: SplitMix64 (Steele, Lea and Flood 2014).
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  double unit() {
-    std::uint64_t z = state_ += 0x9E3779B97F4A7C15u;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  }
-
- private:
-  std::uint64_t state_;
 };
 
 /// Three children on the lower ring, six on the equator seen from the parent's own axis, each a

@@ -14,6 +14,7 @@
 #include "grade/align.hpp"
 #include "grade/submission.hpp"
 #include "image/alter.hpp"
+#include "image/packed.hpp"
 
 namespace zraka {
 namespace {
@@ -37,23 +38,7 @@ constexpr double kSame = 1e-9;
 struct Candidate {
   Mistake mistake = Mistake::none;
   Image coarse;
-  std::uint32_t width = 0;
-  std::vector<std::uint8_t> bytes;  ///< a scene has hundreds of these pictures
-
-  void keep(const Image& image) {
-    width = image.width;
-    bytes.resize(image.pixels.size());
-    std::transform(image.pixels.begin(), image.pixels.end(), bytes.begin(), [](float value) {
-      return static_cast<std::uint8_t>(std::lround(255.0F * value));
-    });
-  }
-  /// As as_stored() gives it.
-  Image picture() const {
-    Image image(width, static_cast<std::uint32_t>(bytes.size() / 3 / width));
-    std::transform(bytes.begin(), bytes.end(), image.pixels.begin(),
-                   [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; });
-    return image;
-  }
+  PackedImage picture;  ///< a scene has hundreds of these
 };
 
 /// A stage's right picture in small, and the pictures of its mistakes.
@@ -91,14 +76,7 @@ struct Grader::Impl {
     const Image image = as_stored(rendering->image, options.profile.transfer, 8);
     return stage == 1 ? as_silhouette(image) : image;
   }
-  static Image coarse_of(const Image& image) {
-    const std::uint32_t side = std::max(image.width, image.height);
-    const auto less = [&](std::uint32_t n) {
-      return std::max<std::uint32_t>(
-          1, static_cast<std::uint32_t>(std::uint64_t{n} * std::min(kCoarseSide, side) / side));
-    };
-    return scaled_by_area(image, less(image.width), less(image.height));
-  }
+  static Image coarse_of(const Image& image) { return reduced(image, kCoarseSide); }
   const StagePictures& pictures(int stage) const;
   StageGrade judge(int stage, const SubmittedPicture& submitted) const;
   Match best_match(int stage, const Fitted& fitted, const std::vector<Alignment>& ways) const;
@@ -120,9 +98,7 @@ const StagePictures& Grader::Impl::pictures(int stage) const {
       if (measure_errors(picture, right_of(stage), (rubric.tolerance + 0.5) / 255).share() <=
           rubric.share)
         continue;
-      Candidate candidate{entry.mistake, coarse_of(picture), 0, {}};
-      candidate.keep(picture);
-      found.visible.push_back(std::move(candidate));
+      found.visible.push_back({entry.mistake, coarse_of(picture), PackedImage(picture)});
     }
   };
   // While it waits for its tiles, a thread must not be given another submission to mark: that one
@@ -168,7 +144,7 @@ Match Grader::Impl::best_match(int stage, const Fitted& fitted,
       if (d < nearest.distance) nearest = {candidate, w, d};
     };
     consider(nullptr, right_of(stage));
-    for (const Candidate& candidate : all.visible) consider(&candidate, candidate.picture());
+    for (const Candidate& candidate : all.visible) consider(&candidate, candidate.picture.image());
   };
   look(0);
   if (way != 0) look(way);
@@ -225,7 +201,7 @@ StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) con
   const Match match = best_match(stage, fitted, kinds);
   const Image image = aligned(fitted.image, kinds[match.way]);
   const double to_right = mean_square(image, through_scaling(wanted, fitted), fitted.region);
-  const Image named = match.candidate == nullptr ? wanted : match.candidate->picture();
+  const Image named = match.candidate == nullptr ? wanted : match.candidate->picture.image();
   grade.share_left = share_over(image, named);
 
   const double few = match.candidate == nullptr ? rubric.share : kRestOfMistake;
@@ -243,7 +219,7 @@ StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) con
     // Several where the scene cannot tell them apart.
     const Region whole{0, 0, wanted.width, wanted.height};
     for (const Candidate& other : pictures(stage).visible)
-      if (mean_square(other.picture(), named, whole) < kSame)
+      if (mean_square(other.picture.image(), named, whole) < kSame)
         grade.mistakes.push_back(other.mistake);
   } else {
     settle(image, kinds[match.way], Verdict::differs);
@@ -346,7 +322,7 @@ const Rubric& Grader::rubric() const {
 Image Grader::picture(int stage, Mistake mistake) const {
   if (mistake != Mistake::none)
     for (const Candidate& candidate : impl_->pictures(stage).visible)
-      if (candidate.mistake == mistake) return candidate.picture();
+      if (candidate.mistake == mistake) return candidate.picture.image();
   return impl_->right_of(stage);
 }
 

@@ -147,6 +147,15 @@ Image scaled_by_area(const Image& image, std::uint32_t width, std::uint32_t heig
   return resampled(image, axis_by_area(image.width, width), axis_by_area(image.height, height));
 }
 
+Image reduced(const Image& image, std::uint32_t side) {
+  const std::uint32_t longest = std::max(image.width, image.height);
+  if (longest <= side) return image;
+  const auto less = [&](std::uint32_t n) {
+    return std::max(1u, static_cast<std::uint32_t>(std::uint64_t{n} * side / longest));
+  };
+  return scaled_by_area(image, less(image.width), less(image.height));
+}
+
 Image scaled_bilinearly(const Image& image, std::uint32_t width, std::uint32_t height) {
   const auto axis = [](std::uint32_t old, std::uint32_t n) {
     return axis_between(old, n, [&](std::uint32_t i) { return (i + 0.5) * old / n - 0.5; });

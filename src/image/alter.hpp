@@ -28,6 +28,9 @@ Image shifted(const Image& image, double right, double down);
 /// pixels. Sizes are at least 1.
 Image scaled_by_area(const Image& image, std::uint32_t width, std::uint32_t height);
 
+/// By scaled_by_area() to at most `side` pixels wide and high, if it is not that small already.
+Image reduced(const Image& image, std::uint32_t side);
+
 /// Bilinear interpolation between the centres of the old pixels, as screens and most programs
 /// enlarge; the edges repeat. Sizes are at least 1.
 Image scaled_bilinearly(const Image& image, std::uint32_t width, std::uint32_t height);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/counted.hpp"
 #include "core/text.hpp"
 #include "explain/names.hpp"
 
@@ -11,11 +12,6 @@ namespace {
 
 /// Shapes and lights that a sentence names before it says how many more there are.
 constexpr std::size_t kMostNamed = 4;
-
-std::string with_comma(Language language, std::string number) {
-  if (language == Language::croatian) std::replace(number.begin(), number.end(), '.', ',');
-  return number;
-}
 
 class Comments {
  public:
@@ -40,11 +36,7 @@ class Comments {
     return counted(language_, what, number);
   }
   std::string share(std::uint64_t part, std::uint64_t whole) const {
-    const double percent =
-        100 * static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(whole, 1));
-    if (percent > 99.95 && part < whole) return "> " + decimal(language_, 99.9, 1);
-    return percent > 0 && percent < 0.05 ? "< " + decimal(language_, 0.1, 1)
-                                         : decimal(language_, percent, 1);
+    return percentage(language_, part, whole);
   }
   std::string label(const ShapePixels& shape, Case form = Case::nominative) const {
     return label_of(language_, shape.shape, form);
@@ -301,28 +293,6 @@ std::vector<std::string> Comments::write(Stage stage) {
 
 std::vector<std::string> comments_on(Language language, const SceneFacts& scene, Stage stage) {
   return Comments(language, scene, stage).write(stage);
-}
-
-std::string counted(Language language, Counted what, std::uint64_t number) {
-  constexpr Word kFirst[] = {Word::count_pixel_one,     Word::count_ray_one,
-                             Word::count_eye_ray_one,   Word::count_feeler_one,
-                             Word::count_reflected_one, Word::count_refracted_one,
-                             Word::count_color_one,     Word::count_point_one,
-                             Word::count_sphere_one,    Word::count_time_one};
-  const std::uint64_t ones = number % 10, hundred = number % 100;
-  int form = 2;
-  if (language == Language::english)
-    form = number == 1 ? 0 : 2;
-  else if (ones == 1 && hundred != 11)
-    form = 0;
-  else if (ones >= 2 && ones <= 4 && (hundred < 12 || hundred > 14))
-    form = 1;
-  const int first = static_cast<int>(kFirst[static_cast<int>(what)]);
-  return say(language, static_cast<Word>(first + form), grouped(number));
-}
-
-std::string decimal(Language language, double value, int digits) {
-  return with_comma(language, fmt::format("{:.{}f}", value, digits));
 }
 
 }  // namespace zraka

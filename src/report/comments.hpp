@@ -14,22 +14,4 @@ namespace zraka {
 /// not occur is not mentioned, or said not to occur.
 std::vector<std::string> comments_on(Language language, const SceneFacts& scene, Stage stage);
 
-/// Things that are counted: "1 pixel", "2 pixels", "5 piksela".
-enum class Counted {
-  pixel,
-  ray,
-  eye_ray,
-  feeler,
-  reflected,
-  refracted,
-  color,
-  point,
-  sphere,
-  time
-};
-std::string counted(Language language, Counted what, std::uint64_t number);
-
-/// A number with so many digits after the point, which is a comma in Croatian.
-std::string decimal(Language language, double value, int digits);
-
 }  // namespace zraka

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/page.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/base64.hpp"
+#include "core/counted.hpp"
 #include "core/text.hpp"
-#include "image/alter.hpp"
 #include "report/comments.hpp"
 
 namespace zraka {
@@ -67,18 +66,7 @@ class Page {
  private:
   template <class... Values>
   std::string say(Word word, const Values&... values) const {
-    return html(zraka::say(options_.language, word, values...));
-  }
-  /// Text for the page; the groups of a number's digits stay on one line.
-  static std::string html(const std::string& text) {
-    const auto digit = [&](std::size_t i) {
-      return i < text.size() && text[i] >= '0' && text[i] <= '9';
-    };
-    std::string together;
-    for (std::size_t i = 0; i < text.size(); ++i)
-      together += i > 0 && text[i] == ' ' && digit(i - 1) && digit(i + 1) ? "\u00A0"
-                                                                          : std::string(1, text[i]);
-    return html_text(together);
+    return html_prose(zraka::say(options_.language, word, values...));
   }
   template <class... Values>
   void put(fmt::format_string<Values...> text, Values&&... values) {
@@ -164,7 +152,7 @@ void Page::stage(std::size_t i) {
            say(Word::report_difference, i, std::lround(255 * pictures_[i].brightest)));
   put("</div>\n<p>");
   for (const std::string& sentence : comments_on(options_.language, facts_, stage))
-    put("{}\n", html(sentence));
+    put("{}\n", html_prose(sentence));
   put("</p>\n</article>\n");
 }
 
@@ -209,15 +197,6 @@ void Page::times() {
 std::string report_page(const SceneFacts& facts, const std::array<ReportPicture, 7>& pictures,
                         const std::optional<ReportLetter>& letter, const ReportOptions& options) {
   return Page(facts, pictures, letter, options).write();
-}
-
-Result<std::string> png_for_page(const Image& stored) {
-  const std::uint32_t longest = std::max(stored.width, stored.height);
-  if (longest <= kReportSide) return encode_png(stored);
-  const auto reduced = [&](std::uint32_t side) {
-    return std::max(1u, static_cast<std::uint32_t>(std::uint64_t{side} * kReportSide / longest));
-  };
-  return encode_png(scaled_by_area(stored, reduced(stored.width), reduced(stored.height)));
 }
 
 }  // namespace zraka

@@ -36,8 +36,4 @@ struct ReportOptions {
 std::string report_page(const SceneFacts& facts, const std::array<ReportPicture, 7>& pictures,
                         const std::optional<ReportLetter>& letter, const ReportOptions& options);
 
-/// A picture of stored values as a page shows it: at most kReportSide pixels wide and high, as PNG.
-inline constexpr std::uint32_t kReportSide = 800;
-Result<std::string> png_for_page(const Image& stored);
-
 }  // namespace zraka
