@@ -20,6 +20,13 @@ contains "$folder/out" "b je n2/n1 umjesto n1/n2"
 python3 -c 'import json, sys; g = json.load(open(sys.argv[1])); assert g["score"] == g["max_score"] == 1, g; assert g["tests"][0]["verdict"] == "right", g' \
   "$folder/json" || fail "the JSON is wrong"
 
+# Pages: the pictures that show what is wrong, and nothing from outside.
+"$zraka" grade $scene --width 80 "$class/wrong" -o "$folder/wrong.html" --lang hr || fail "no page"
+contains "$folder/wrong.html" "b je n2/n1 umjesto n1/n2"
+contains "$folder/wrong.html" "<h1>wrong</h1>"
+[ "$(grep -o '<img' "$folder/wrong.html" | wc -l)" = 6 ] || fail "a page without its pictures"
+grep -q 'src="[^d]' "$folder/wrong.html" && fail "a page that needs others"
+
 # A class with what people hand in.
 (cd "$class/right" && python3 -m zipfile -c ../packed.zip 1.png 4.png 7.png)
 python3 - "$class" <<'PY'
@@ -38,6 +45,10 @@ PY
 contains "$folder/out" "the archive has a file outside of its folder: '../../7.png'"
 [ "$(grep -c ' 3/7 1+ 2- 3- 4+ 5- 6- 7+' "$folder/out")" = 2 ] || { fail "folder and archive differ"; cat "$folder/out"; }
 contains "$folder/out" "bomb.zip"
+mkdir "$class/one" && cp "$class/right/7.png" "$class/one/"
+"$zraka" grade $scene --width 80 "$class" --all -o "$folder/class.html" || fail "no page of a class"
+[ "$(grep -c '<details>' "$folder/class.html")" = 8 ] || fail "the page has not a row for each"
+contains "$folder/class.html" "1 of 7 marks"
 [ -e "$folder/7.png" ] && fail "an archive climbed out"
 
 # Wrong usage.

@@ -13,6 +13,7 @@
 #include "core/text.hpp"
 #include "core/words.hpp"
 #include "explain/names.hpp"
+#include "grade/page.hpp"
 #include "grade/words.hpp"
 #include "render_options.hpp"
 #include "terminal.hpp"
@@ -21,10 +22,19 @@
 namespace zraka::app {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct Words : RenderWords {
-  std::string submission, rubric, format = "text", language = "en", output = "-";
+  std::string submission, rubric, format, language = "en", output = "-";
   bool all = false, list = false;
 };
+
+/// The format asked for; else the one that the output's name asks for; else text.
+std::string format_of(const Words& words) {
+  if (!words.format.empty()) return words.format;
+  const std::string extension = fs::path(words.output).extension().string();
+  return extension == ".json" ? "json" : extension == ".html" ? "html" : "text";
+}
 
 int list_mistakes(Language language) {
   for (const MistakeEntry& entry : all_mistakes())
@@ -35,7 +45,6 @@ int list_mistakes(Language language) {
 
 /// A class's folder: each folder, archive or picture in it is a submission.
 Result<std::vector<std::string>> submissions_in(const std::string& folder) {
-  namespace fs = std::filesystem;
   std::error_code error;
   std::vector<std::string> paths;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
@@ -61,19 +70,28 @@ int run(const Words& words) {
   }
   const Result<Grader> grader = Grader::create(*scene, words.options(*scene), *rubric);
   if (!grader) return fail(grader.error());
+  const std::string format = format_of(words);
   std::vector<Grade> grades(paths.size());
   tbb::parallel_for(std::size_t{0}, paths.size(), [&](std::size_t i) {
     grades[i] = grader->grade(paths[i]);
-    if (words.all) grades[i].name = std::filesystem::path(paths[i]).filename().string();
-    for (StageGrade& stage : grades[i].stages) stage.aligned = {};
+    if (words.all) grades[i].name = fs::path(paths[i]).filename().string();
+    if (words.all || format != "html")
+      for (StageGrade& stage : grades[i].stages) stage.aligned = {};
   });
   std::string text;
-  if (words.format == "json")
+  if (format == "json") {
     text = grade_json(language, *grader, grades, words.all);
-  else if (words.all)
+  } else if (format == "html") {
+    const std::string name = words.scene == "-" ? "-" : fs::path(words.scene).filename().string();
+    Result<std::string> page = words.all ? grades_page(language, *grader, grades, name)
+                                         : grade_page(language, *grader, grades.front(), name);
+    if (!page) return fail(page.error());
+    text = std::move(*page);
+  } else if (words.all) {
     text = grades_table(language, grades);
-  else
+  } else {
     text = grade_text(language, *grader, grades.front());
+  }
   const Result<void> written = write_text_file(words.output, text);
   if (!written) return fail(written.error());
   return words.all || grades.front().problems.empty() ? +kDone : +kFailed;
@@ -96,8 +114,9 @@ CLI::App* add_grade(CLI::App& program, Command& command) {
                   "a JSON file with marks, tolerances and what is allowed");
   app->add_option("-o,--output", words->output,
                   "the file to write; - (default) is standard output");
-  app->add_option("--format", words->format, "text (default) or json")
-      ->check(CLI::IsMember({"text", "json"}));
+  app->add_option("--format", words->format,
+                  "text, json or html; else by the name of the output, else text")
+      ->check(CLI::IsMember({"text", "json", "html"}));
   app->add_option("--lang", words->language, "language of all words: en (default) or hr")
       ->check(one_of("en or hr",
                      [](const std::string& word) { return language_named(word).has_value(); }));
@@ -107,6 +126,7 @@ CLI::App* add_grade(CLI::App& program, Command& command) {
       "Examples:\n"
       "  zraka grade input.txt ana-anic/\n"
       "  zraka grade input.txt slika.png --lang hr\n"
+      "  zraka grade input.txt ana-anic.zip -o ana-anic.html\n"
       "  zraka grade input.txt class/ --all --rubric rubric.json\n"
       "  zraka grade --list");
   app->callback([&command, words] {

@@ -61,7 +61,8 @@ struct StageGrade {
   std::vector<PixelPair>
       pixels{};            ///< a: the submission, b: the right picture, where they differ first
   Diagnostics problems{};  ///< of an unreadable file
-  Image aligned{};         ///< as it was compared, empty where there is none
+  /// As it was compared; what was cut off of it is the right picture's. Empty where there is none.
+  Image aligned{};
 };
 
 struct Grade {

@@ -231,6 +231,7 @@ StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) con
       std::copy(image.row(y) + std::size_t{3} * r.left, image.row(y) + std::size_t{3} * r.right,
                 there.row(y) + std::size_t{3} * r.left);
     grade.pixels = worst_pixels(there, wanted, threshold, 3);
+    grade.aligned = std::move(there);
   }
   return grade;
 }
@@ -335,7 +336,7 @@ Grade Grader::grade(const std::string& path) const {
       grade.problems = pictures.error();
       return grade;
     }
-    const bool alone = pictures->size() == 1;
+    const bool alone = pictures->front().alone;
     if (alone && pictures->front().stage == kNoStage) {
       grade.problems = {{.file = path,
                          .message = fmt::format("'{}' is called like a letter or a difference, "

@@ -65,7 +65,7 @@ Result<std::vector<SubmittedPicture>> from_folder(const std::string& path) {
     if (it->is_directory(error) && it.depth() >= 2) it.disable_recursion_pending();
     if (!it->is_regular_file(error) || !is_picture(relative.string())) continue;
     if (pictures.size() == kMostFiles) return too_many(path);
-    pictures.push_back({relative.string(), stage_of_name(relative.filename().string()), {}});
+    pictures.push_back({relative.string(), stage_of_name(relative.filename().string()), {}, false});
   }
   for (SubmittedPicture& picture : pictures)
     if (picture.stage != kNoStage)
@@ -113,7 +113,7 @@ Result<std::vector<SubmittedPicture>> from_archive(const std::string& path) {
     if (archive_entry_filetype(entry) != AE_IFREG || is_hidden(inside) || !is_picture(name))
       continue;
     if (pictures.size() == kMostFiles) return too_many(path);
-    SubmittedPicture picture{name, stage_of_name(inside.filename().string()), {}};
+    SubmittedPicture picture{name, stage_of_name(inside.filename().string()), {}, false};
     if (picture.stage != kNoStage) {
       const Result<std::string> bytes = read_entry(from.get(), name);
       picture.image = bytes ? parse_image(*bytes, name, kMostPixels)
@@ -163,7 +163,7 @@ Result<std::vector<SubmittedPicture>> read_submission(const std::string& path) {
     Result<ReadImage> image = read_image(path, kMostPixels);
     if (!image) return tl::make_unexpected(image.error());
     const std::string file = fs::path(path).filename().string();
-    pictures->push_back({file, stage_of_name(file), std::move(image)});
+    pictures->push_back({file, stage_of_name(file), std::move(image), true});
   }
   if (!pictures) return pictures;
   if (pictures->empty())

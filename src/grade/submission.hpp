@@ -16,6 +16,7 @@ struct SubmittedPicture {
   std::string file;  ///< as it is called in the submission
   int stage = 0;     ///< by its name: 1 to 7, kNoStage, or 0 where the name does not say
   Result<ReadImage> image;
+  bool alone = false;  ///< it was handed in as a file of its own
 };
 
 /// All pictures of a submission, in the order of their names. Fails where nothing can be read; a

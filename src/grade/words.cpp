@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/counted.hpp"
 #include "core/text.hpp"
 #include "explain/names.hpp"
 #include "explain/sentence.hpp"
@@ -14,12 +15,9 @@
 namespace zraka {
 namespace {
 
-std::string percent(double share) {
-  return share > 0 && share < 0.0005 ? "< 0.1 %" : fmt::format("{:.1f} %", 100 * share);
-}
-
-std::string marks(double value) {
-  return fmt::format("{:.4g}", value);
+std::string percent(Language language, double share) {
+  return share > 0 && share < 0.0005 ? fmt::format("< {} %", decimal(language, 0.1, 1))
+                                     : fmt::format("{} %", decimal(language, 100 * share, 1));
 }
 
 std::string bytes(const std::array<float, 3>& pixel) {
@@ -39,15 +37,6 @@ std::string alignment_text(Language language, const Alignment& a) {
   return text.empty() ? text : say(language, Word::grade_aligned, text);
 }
 
-std::string_view stage_name(Language language, int stage) {
-  return text_of(language, static_cast<Stage>(stage));
-}
-
-std::string_view verdict_key(Verdict verdict) {
-  constexpr std::string_view kKeys[] = {"right", "mistaken", "differs", "missing", "unreadable"};
-  return kKeys[static_cast<std::size_t>(verdict)];
-}
-
 bool costs_nothing(const Grader& grader, const StageGrade& stage) {
   return std::any_of(stage.mistakes.begin(), stage.mistakes.end(),
                      [&](Mistake mistake) { return grader.rubric().allowed.contains(mistake); });
@@ -63,14 +52,14 @@ Json json_of(Language language, const Grader& grader, const StageGrade& stage) {
   for (const Mistake mistake : stage.mistakes) mistakes.push_back(entry_of(mistake).key);
   for (const PixelPair& pair : stage.pixels)
     pixels.push_back({{"x", pair.x}, {"y", pair.y}, {"submitted", pair.a}, {"right", pair.b}});
-  return {{"name", stage_name(language, stage.stage)},
+  return {{"name", text_of(language, static_cast<Stage>(stage.stage))},
           {"number", std::to_string(stage.stage)},
           {"score", stage.marks},
           {"max_score", stage.of},
           {"status", stage.marks >= stage.of ? "passed" : "failed"},
           {"output", output},
           {"file", stage.file},
-          {"verdict", verdict_key(stage.verdict)},
+          {"verdict", key_of(stage.verdict)},
           {"mistakes", std::move(mistakes)},
           {"aligned", alignment_text(language, stage.alignment)},
           {"share_wrong", stage.share_wrong},
@@ -90,6 +79,19 @@ Json json_of(Language language, const Grader& grader, const Grade& grade) {
 
 }  // namespace
 
+std::string marks_text(Language language, double marks) {
+  return with_comma(language, fmt::format("{:.4g}", marks));
+}
+
+std::string_view key_of(Verdict verdict) {
+  constexpr std::string_view kKeys[] = {"right", "mistaken", "differs", "missing", "unreadable"};
+  return kKeys[static_cast<std::size_t>(verdict)];
+}
+
+char sign_of(Verdict verdict) {
+  return "+!?-x"[static_cast<std::size_t>(verdict)];
+}
+
 std::vector<std::string> findings(Language language, const Grader& grader,
                                   const StageGrade& stage) {
   std::vector<std::string> lines;
@@ -98,7 +100,7 @@ std::vector<std::string> findings(Language language, const Grader& grader,
       lines.emplace_back(text_of(language, Word::grade_right));
       break;
     case Verdict::differs:
-      lines.push_back(say(language, Word::grade_differs, percent(stage.share_wrong)));
+      lines.push_back(say(language, Word::grade_differs, percent(language, stage.share_wrong)));
       break;
     case Verdict::missing:
       lines.emplace_back(text_of(language, Word::grade_missing));
@@ -116,7 +118,7 @@ std::vector<std::string> findings(Language language, const Grader& grader,
         lines.emplace_back(text_of(language, Word::grade_allowed));
       else if (stage.repeated)
         lines.emplace_back(text_of(language, Word::grade_repeated));
-      lines.push_back(say(language, Word::grade_left, percent(stage.share_left)));
+      lines.push_back(say(language, Word::grade_left, percent(language, stage.share_left)));
       break;
   }
   if (const std::string text = alignment_text(language, stage.alignment); !text.empty())
@@ -136,14 +138,15 @@ std::vector<std::string> findings(Language language, const Grader& grader,
 }
 
 std::string grade_text(Language language, const Grader& grader, const Grade& grade) {
-  std::string text =
-      fmt::format("{}: {}\n", shown(grade.name),
-                  say(language, Word::grade_marks, marks(grade.marks), marks(grade.of)));
+  std::string text = fmt::format("{}: {}\n", shown(grade.name),
+                                 say(language, Word::grade_marks, marks_text(language, grade.marks),
+                                     marks_text(language, grade.of)));
   for (const Diagnostic& problem : grade.problems) text += "  " + to_string(problem) + "\n";
   for (const StageGrade& stage : grade.stages) {
     const std::vector<std::string> lines = findings(language, grader, stage);
-    text += fmt::format("  {}  {}/{}  {}\n", stage_name(language, stage.stage), marks(stage.marks),
-                        marks(stage.of), lines.front());
+    text += fmt::format("  {}  {}/{}  {}\n", text_of(language, static_cast<Stage>(stage.stage)),
+                        marks_text(language, stage.marks), marks_text(language, stage.of),
+                        lines.front());
     for (std::size_t i = 1; i < lines.size(); ++i) text += fmt::format("      {}\n", lines[i]);
   }
   return text;
@@ -155,16 +158,15 @@ std::string grades_table(Language language, const std::vector<Grade>& grades) {
   width = std::min<std::size_t>(width, 40);
   std::string text;
   for (const Grade& grade : grades) {
-    text += fmt::format("{:<{}}  {:>5}/{}", shown(grade.name), width, marks(grade.marks),
-                        marks(grade.of));
+    text += fmt::format("{:<{}}  {:>5}/{}", shown(grade.name), width,
+                        marks_text(language, grade.marks), marks_text(language, grade.of));
     if (!grade.problems.empty()) {
       text += "  " + grade.problems.front().message + "\n";
       continue;
     }
     std::set<Mistake> named;
     for (const StageGrade& stage : grade.stages) {
-      constexpr std::string_view kSigns[] = {"+", "!", "?", "-", "x"};
-      text += fmt::format(" {}{}", stage.stage, kSigns[static_cast<std::size_t>(stage.verdict)]);
+      text += fmt::format(" {}{}", stage.stage, sign_of(stage.verdict));
       if (!stage.mistakes.empty()) named.insert(stage.mistakes.front());
     }
     for (const Mistake mistake : named) text += fmt::format("  {}", text_of(language, mistake));

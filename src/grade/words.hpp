@@ -10,6 +10,12 @@
 
 namespace zraka {
 
+/// "2.5", "2,5".
+std::string marks_text(Language language, double marks);
+/// "right", as JSON and pages call it, and "+", as tables do.
+std::string_view key_of(Verdict verdict);
+char sign_of(Verdict verdict);
+
 /// What was found out about a stage, line by line; the first says what it is.
 std::vector<std::string> findings(Language language, const Grader& grader, const StageGrade& stage);
 

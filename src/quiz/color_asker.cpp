@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <set>
 
+#include "explain/names.hpp"
 #include "explain/sentence.hpp"
 #include "explain/text.hpp"
-#include "grade/words.hpp"
 #include "quiz/ask.hpp"
 #include "quiz/cover.hpp"
 #include "quiz/facts.hpp"

@@ -4,8 +4,8 @@
 #include <zraka/compare.hpp>
 
 #include "core/counted.hpp"
+#include "explain/names.hpp"
 #include "explain/sentence.hpp"
-#include "grade/words.hpp"
 #include "quiz/ask.hpp"
 
 namespace zraka {
