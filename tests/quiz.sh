@@ -1,25 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # quiz.sh PROGRAM: zraka quiz from outside: words, exit codes, files, and answers that stay out of the quiz.
-set -u
-zraka=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failed=0
+. "$(dirname "$0")/helpers.sh"
 scene=$PWD/scenes/lab/input.txt
-
-fail() {
-  echo "FAILED: $*"
-  failed=1
-}
-# exactly CODE TEXT COMMAND…: the exit code, and all that standard error says.
-exactly() {
-  local code=$1 text=$2 got
-  shift 2
-  got=$("$@" 2>&1 >/dev/null </dev/null)
-  [ $? = "$code" ] || fail "not the exit code $code: $*"
-  [ "$got" = "$text" ] || fail "'$got' instead of '$text' from: $*"
-}
 more="
 Run with --help for more information."
 cd "$folder" || exit 1
@@ -44,9 +27,9 @@ done
 exactly 1 "nowhere.txt: error: cannot be read: No such file or directory
   is the name right, and the folder?" "$zraka" quiz nowhere.txt
 sed 's/objekata u sceni => 7/objekata u sceni => 0/; /<parametri 1/,$d' "$scene" >empty.txt
-exactly 1 "empty.txt: error: nothing can be asked of this picture: no term and no mistake shows in it
+exactly 1 "error: nothing can be asked of this picture: no term and no mistake shows in it
   a quiz needs shapes that the eye sees, and light on them" "$zraka" quiz empty.txt $small
-exactly 1 "$scene: error: a quiz's pictures have 9000000 pixels each: 4194304 at most
+exactly 1 "error: a quiz's pictures have 9000000 pixels each: 4194304 at most
   ask for smaller pictures with --width" "$zraka" quiz "$scene" --width 3000
 "$zraka" quiz "$scene" $small -o /dev/full 2>/dev/null
 [ $? = 1 ] || fail "a full device"
@@ -101,5 +84,4 @@ grep -q "^1. Koje je boje piksel (" text && grep -q "^Odgovori$" text || fail "t
 grep -q "^Answers$" text && ! grep -q "^Answers$" quiz.txt || fail "the answers are in the wrong file"
 [ -e shown/picture-1.png ] && grep -q "shown/picture-1.png" quiz.txt || fail "no pictures"
 
-[ $failed = 0 ] && echo "all well"
-exit $failed
+finish

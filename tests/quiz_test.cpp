@@ -20,7 +20,7 @@ namespace {
 
 using Bytes = std::array<std::uint8_t, 3>;
 
-Scene course_scene(std::uint32_t side = 64) {
+Scene course_scene(std::uint32_t side = 40) {
   Scene scene = read_scene(ZRAKA_SOURCE_DIR "/scenes/lab/input.txt").value().scene;
   scene.resolution = {side, side};
   return scene;
@@ -110,7 +110,7 @@ TEST(Quiz, IsTheSameForTheSameSeed) {
 }
 
 TEST(Quiz, IsTheSameOnEveryMachine) {
-  const Quiz quiz = make_quiz(course_scene(), kLab, {.seed = 2026, .questions = 12}).value();
+  const Quiz quiz = make_quiz(course_scene(64), kLab, {.seed = 2026, .questions = 12}).value();
   std::string told;
   for (const QuizQuestion& question : quiz.questions) {
     told += fmt::format("{}{} ", name_of(question.kind)[0], letter_of(question.answer));
@@ -170,6 +170,29 @@ TEST(Quiz, ShowsThePictureOfTheAnswerAndOfNoOtherChoice) {
       EXPECT_NE(pixel_of(right, question.x, question.y),
                 pixel_of(shown(1), question.x, question.y));
     }
+  }
+}
+
+TEST(Quiz, HasNoTwoNamesForOnePicture) {
+  // With two lights and Ia = 0.5, Ia·ka for each light is ka.
+  constexpr Mistake kTwins[] = {Mistake::ambient_unscaled, Mistake::ambient_per_light};
+  Scene scene = lab_scene(40);
+  scene.lights.push_back({{-2, -1, 2}, {0.3, 0.2, 0.4}});
+  add_sphere(scene, {0, 0, -1}, 1, {.ambient = {0.3, 0.2, 0.1}, .diffuse = {0.5, 0.3, 0.2}});
+  const auto is_twin = [&](const QuizChoice& choice) {
+    return std::count(std::begin(kTwins), std::end(kTwins), choice.mistake);
+  };
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const Quiz quiz =
+        make_quiz(scene, kLab, {.seed = seed, .questions = 40, .kinds = {QuizKind::mistake}})
+            .value();
+    std::ptrdiff_t asked = 0;
+    for (const QuizQuestion& question : quiz.questions) {
+      if (is_twin(question.choices[question.answer]) == 0) continue;
+      ++asked;
+      EXPECT_EQ(std::count_if(question.choices.begin(), question.choices.end(), is_twin), 1);
+    }
+    EXPECT_EQ(asked, 1);
   }
 }
 
@@ -371,7 +394,7 @@ TEST(Quiz, RefusesWhatItCannotAsk) {
 
 TEST(Quiz, LeavesOutPixelsWhoseTreesAreTooLarge) {
   // The eye is within glass that also mirrors: every ray has two children.
-  Scene scene = lab_scene(2);
+  Scene scene = lab_scene(1);
   add_sphere(scene, {0, 0, 0}, 5,
              {.ambient = {0.5, 0.5, 0.5}, .reflection = 0.5, .refraction = 0.5});
   add_sphere(scene, {0, 0, 0}, 9, {.reflection = 0.5, .refraction = 0.5});
@@ -379,7 +402,7 @@ TEST(Quiz, LeavesOutPixelsWhoseTreesAreTooLarge) {
   const QuizOptions colors{.questions = 1, .kinds = {QuizKind::color}};
   EXPECT_TRUE(make_quiz(scene, options, colors));
   options.max_depth = 18;
-  ASSERT_FALSE(explain(scene, options, 1, 1));
+  ASSERT_FALSE(explain(scene, options, 0, 0));
   EXPECT_FALSE(make_quiz(scene, options, colors));
 }
 

@@ -93,13 +93,6 @@ Result<void> write(const Words& words, const Quiz& quiz, const QuizView& view) {
                                              [&] { return quiz_answers_text(quiz, view); }));
 }
 
-/// Problems that concern no other file are the scene's.
-int fail_for(const Words& words, Diagnostics problems) {
-  for (Diagnostic& problem : problems)
-    if (problem.file.empty()) problem.file = words.scene == "-" ? "standard input" : words.scene;
-  return fail(problems);
-}
-
 int run(const Words& words) {
   const Result<Scene> scene = words.load();
   if (!scene) return fail(scene.error());
@@ -110,7 +103,7 @@ int run(const Words& words) {
     options.progress = progress.callback();
     return make_quiz(*scene, options, words.quiz());
   }();
-  if (!quiz) return fail_for(words, quiz.error());
+  if (!quiz) return fail(quiz.error());
   if (quiz->questions.size() < static_cast<std::size_t>(words.questions) && !words.quiet)
     show({{.severity = Severity::warning,
            .file = words.scene == "-" ? "standard input" : words.scene,

@@ -79,24 +79,19 @@ QuizChoice VariantAsker::choice_of(const Variant& variant) const {
 
 /// Only variants whose pictures can be told apart from the answer's, or two choices were right.
 std::vector<QuizChoice> VariantAsker::wrong_choices(std::size_t answer) {
-  struct Near {
-    double mean_square;
-    std::size_t variant;
-  };
   const Image& picture = (*variants_)[answer].glance;
-  std::vector<Near> near;
+  std::vector<std::pair<double, std::size_t>> near;  // mean square, variant
   for (std::size_t i = 0; i < variants_->size(); ++i) {
-    if (i == answer) continue;
     const Image& other = (*variants_)[i].glance;
-    if (told_apart(other, picture)) near.push_back({measure_errors(other, picture).mean_square, i});
+    if (told_apart(other, picture))
+      near.emplace_back(measure_errors(other, picture).mean_square, i);
   }
-  std::stable_sort(near.begin(), near.end(),
-                   [](const Near& a, const Near& b) { return a.mean_square < b.mean_square; });
+  std::sort(near.begin(), near.end());
   near.resize(std::min(near.size(), kPlausible));
   random_.shuffle(near);
   near.resize(std::min(near.size(), kWrongChoices));
   std::vector<QuizChoice> wrong;
-  for (const Near& one : near) wrong.push_back(choice_of((*variants_)[one.variant]));
+  for (const auto& [distance, variant] : near) wrong.push_back(choice_of((*variants_)[variant]));
   return wrong;
 }
 
