@@ -340,7 +340,7 @@ TEST(Grade, SaysWhatIsWrongWithSubmissions) {
   std::ofstream(folder.file("7.png")) << "no picture";
   const Grade grade = grader.grade(folder.path.string());
   EXPECT_TRUE(grade.problems.empty());
-  EXPECT_EQ(grade.stages.front().verdict, Verdict::unreadable);
+  EXPECT_EQ(grade.stages.back().verdict, Verdict::unreadable);
 }
 
 TEST(Grade, RefusesALetterAlone) {
