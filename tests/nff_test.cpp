@@ -81,7 +81,7 @@ TEST(Nff, IsTheSameFromBlocksOfAnySize) {
   const Passed nobody = [](const char*) {};
   for (const std::string& text : texts) {
     const std::string wanted = told(parse_nff(text, "f.nff", nobody));
-    for (std::size_t block : {1, 2, 7, 20, 100, 1000, 100000})
+    for (const std::size_t block : {1u, 2u, 7u, 20u, 100u, 1000u, 100000u})
       ASSERT_EQ(told(parse_nff_by_blocks(text, "f.nff", nobody, block)), wanted)
           << "blocks of " << block << ":\n"
           << text.substr(0, 200);

@@ -38,13 +38,6 @@ std::optional<std::uint32_t> coordinate(const std::string& word) {
   return error == std::errc() ? value : std::numeric_limits<std::uint32_t>::max();
 }
 
-/// The format asked for; else the one that the output's name asks for; else text.
-std::string format_of(const Words& words) {
-  if (!words.format.empty()) return words.format;
-  const std::string extension = std::filesystem::path(words.output).extension().string();
-  return extension == ".json" ? "json" : extension == ".html" ? "html" : "text";
-}
-
 bool is_rays_file(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
   return extension == ".obj" || extension == ".gltf";
@@ -66,7 +59,7 @@ Result<std::string> text_for(const Words& words, Scene& scene, const RenderOptio
   constexpr std::uint32_t kNeighbours = 15;
   const Language language = *language_named(words.language);
   const ProfileName profile = words.profile_name(scene);
-  const std::string format = format_of(words);
+  const std::string format = format_of(words.format, words.output);
   if (format == "json")
     return to_json(explanation, words.scene, std::string(name_of(profile)),
                    in_words(language, explanation));
@@ -119,12 +112,8 @@ CLI::App* add_explain(CLI::App& program, Command& command) {
   app->add_option("Y", words->y, "row of the pixel, from 0 at the top")->required()->check(whole);
   app->add_option("-o,--output", words->output,
                   "the file to write; - (default) is standard output");
-  app->add_option("--format", words->format,
-                  "text, json or html; else by the name of the output, else text")
-      ->check(CLI::IsMember({"text", "json", "html"}));
-  app->add_option("--lang", words->language, "language of all words: en (default) or hr")
-      ->check(one_of("en or hr",
-                     [](const std::string& word) { return language_named(word).has_value(); }));
+  add_format_to(*app, words->format);
+  add_language_to(*app, words->language);
   app->add_option("--stage", words->stage,
                   "up to which stage of the lab, as render has it (default: all)")
       ->check(one_of(

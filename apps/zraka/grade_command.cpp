@@ -29,13 +29,6 @@ struct Words : RenderWords {
   bool all = false, list = false;
 };
 
-/// The format asked for; else the one that the output's name asks for; else text.
-std::string format_of(const Words& words) {
-  if (!words.format.empty()) return words.format;
-  const std::string extension = fs::path(words.output).extension().string();
-  return extension == ".json" ? "json" : extension == ".html" ? "html" : "text";
-}
-
 int list_mistakes(Language language) {
   for (const MistakeEntry& entry : all_mistakes())
     fmt::print("{:<34} {}{}\n", entry.key, text_of(language, entry.mistake),
@@ -70,7 +63,7 @@ int run(const Words& words) {
   }
   const Result<Grader> grader = Grader::create(*scene, words.options(*scene), *rubric);
   if (!grader) return fail(grader.error());
-  const std::string format = format_of(words);
+  const std::string format = format_of(words.format, words.output);
   std::vector<Grade> grades(paths.size());
   tbb::parallel_for(std::size_t{0}, paths.size(), [&](std::size_t i) {
     grades[i] = grader->grade(paths[i]);
@@ -114,12 +107,8 @@ CLI::App* add_grade(CLI::App& program, Command& command) {
                   "a JSON file with marks, tolerances and what is allowed");
   app->add_option("-o,--output", words->output,
                   "the file to write; - (default) is standard output");
-  app->add_option("--format", words->format,
-                  "text, json or html; else by the name of the output, else text")
-      ->check(CLI::IsMember({"text", "json", "html"}));
-  app->add_option("--lang", words->language, "language of all words: en (default) or hr")
-      ->check(one_of("en or hr",
-                     [](const std::string& word) { return language_named(word).has_value(); }));
+  add_format_to(*app, words->format);
+  add_language_to(*app, words->language);
   app->footer(
       "Upside down, red and blue swapped, gamma, JPEG, scaled screenshots and window frames are\n"
       "found out and cost nothing. docs/grade.md explains the marks.\n\n"

@@ -151,9 +151,7 @@ CLI::App* add_influence(CLI::App& program, Command& command) {
                   "also write a PNG with these pixels marked; - is standard output, then alone");
   app->add_option("--format", words->format, "text (default) or json")
       ->check(CLI::IsMember({"text", "json"}));
-  app->add_option("--lang", words->language, "language of all words: en (default) or hr")
-      ->check(one_of("en or hr",
-                     [](const std::string& word) { return language_named(word).has_value(); }));
+  add_language_to(*app, words->language);
   app->footer(
       "A shadow counts where the shape is the first that a feeler meets on its way to a light.\n"
       "Examples:\n"

@@ -156,9 +156,7 @@ void add_options(CLI::App& app, Words& words) {
       ->check(CLI::IsMember({"html", "json", "text"}));
   app.add_option("--pictures", words.pictures,
                  "a folder for the pictures of JSON and text; JSON has them in it otherwise");
-  app.add_option("--lang", words.language, "language of all words: en (default) or hr")
-      ->check(one_of("en or hr",
-                     [](const std::string& word) { return language_named(word).has_value(); }));
+  add_language_to(app, words.language);
 }
 
 }  // namespace

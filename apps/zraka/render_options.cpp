@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/words.hpp"
 #include "terminal.hpp"
 
 namespace zraka::app {
@@ -125,6 +126,25 @@ RenderOptions RenderWords::options(const Scene& loaded) const {
   options.isa = isa_named(isa);
   options.mistake = mistake_named(mistake).value_or(Mistake::none);
   return options;
+}
+
+void add_language_to(CLI::App& command, std::string& language) {
+  command.add_option("--lang", language, "language of all words: en (default) or hr")
+      ->check(one_of("en or hr",
+                     [](const std::string& word) { return language_named(word).has_value(); }));
+}
+
+void add_format_to(CLI::App& command, std::string& format) {
+  command
+      .add_option("--format", format,
+                  "text, json or html; else by the name of the output, else text")
+      ->check(CLI::IsMember({"text", "json", "html"}));
+}
+
+std::string format_of(const std::string& format, const std::string& output) {
+  if (!format.empty()) return format;
+  const std::string extension = std::filesystem::path(output).extension().string();
+  return extension == ".json" ? "json" : extension == ".html" ? "html" : "text";
 }
 
 }  // namespace zraka::app

@@ -37,6 +37,14 @@ std::optional<Stage> stage_named(const std::string& word);
 /// in it.
 CLI::Validator name_of_png();
 
+/// --lang.
+void add_language_to(CLI::App& command, std::string& language);
+
+/// --format, for commands that write text, JSON or a page.
+void add_format_to(CLI::App& command, std::string& format);
+/// The format asked for; else the one that the output's name asks for; else text.
+std::string format_of(const std::string& format, const std::string& output);
+
 /// A CLI11 check that shows what a word has to be.
 CLI::Validator one_of(std::string what, bool (*accepts)(const std::string&));
 

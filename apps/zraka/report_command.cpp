@@ -151,9 +151,7 @@ CLI::App* add_report(CLI::App& program, Command& command) {
   app->add_option("--letter", words->letter,
                   "the letter or word of the eighth picture; else the surname's first letter");
   CLI::Option* author = app->add_option("--author", words->author, "whose report it is");
-  app->add_option("--lang", words->language, "language of all words: en (default) or hr")
-      ->check(one_of("en or hr",
-                     [](const std::string& word) { return language_named(word).has_value(); }));
+  add_language_to(*app, words->language);
   app->add_flag("--zip", words->zip,
                 "also pack all into OVO-V3-Rezultati-<ImePrezime>.zip, named after the author")
       ->needs(author);
