@@ -29,7 +29,7 @@ run() {
   [[ $command != report* ]] || page_of_report "$command" >>"$printed"
 }
 page_of_report() {
-  local name=report
+  local name=report output
   [[ $1 != *'--lang hr'* ]] || name=izvjestaj
   output=$(grep -oE -- '-o [^ ]+' <<<"$1")
   LC_ALL=C sed -E -e 's/<(p|li|h[1-6]|tr|figcaption|div)\b[^>]*>/\n/g; s/<[^>]*>//g' -e 's/\xc2\xa0|\xe2\x80\xaf/ /g' \
@@ -38,7 +38,7 @@ page_of_report() {
 # quoted COMMAND: the lines of $folder/block are in what it printed, in their order. Those of a mistake are not all printed without it.
 quoted() {
   local missing right
-  [ -s "$folder/block" ] || fail "$page: an empty quotation of $1"
+  [ -s "$folder/block" ] || { fail "$page: an empty quotation of $1"; return; }
   missing=$(awk 'NR == FNR { want[++n] = $0; next } at < n && $0 == want[at + 1] { ++at }
                  END { if (at < n) print want[at + 1] }' "$folder/block" "$printed")
   [ -z "$missing" ] || fail "$page: $1 does not print, or not there: $missing"
@@ -124,7 +124,7 @@ leads() {
   [ "$language" = en ] || { contents=README.hr.md word=Sadržaj name=English; }
   for i in "${!chapters[@]}"; do
     page=${chapters[i]}
-    other=${others[i]}
+    other=${others[i]:-no/page}
     way=''
     [ "$i" = 0 ] || way="[← $(title "${chapters[i - 1]}")]($(basename "${chapters[i - 1]}")) · "
     way+="[$word](../$contents) · "
@@ -138,7 +138,7 @@ leads() {
 }
 # mistakes PAGES…: each has a section, in which it is rendered and explained.
 mistakes() {
-  local key section
+  local key section verb
   for key in $("$zraka" grade --list | cut -d ' ' -f 1); do
     section=$(sed -n "/^### \`$key\`\$/,/^##/{/^    /p}" "$@")
     for verb in render explain; do
@@ -163,6 +163,7 @@ chapters=("$course/README.hr.md" "${chapters[@]}")
 others=("$course/README.md" "${others[@]}")
 [ "${#chapters[@]}" = "${#others[@]}" ] || fail "the languages have ${#others[@]} and ${#chapters[@]} pages"
 for i in "${!chapters[@]}"; do
+  [ -n "${others[i]:-}" ] || continue
   diff <(outline "${others[i]}") <(outline "${chapters[i]}") >"$folder/diff" ||
     { fail "${others[i]} and ${chapters[i]} differ:"; cat "$folder/diff"; }
 done
