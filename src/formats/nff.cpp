@@ -69,8 +69,10 @@ Result<ReadScene> parse_nff_by_blocks(std::string_view text, const std::string& 
   const char *next = text.data(), *const end = next + text.size();
   const Passed nobody = [](const char*) {};
   NffReader whole(text, name, passed);
+  Handover cutting, joining;
   using Token = std::shared_ptr<Block>;
   const auto cut = [&](tbb::flow_control& flow) -> Token {
+    cutting.take();
     if (next == end) {
       flow.stop();
       return nullptr;
@@ -80,6 +82,7 @@ Result<ReadScene> parse_nff_by_blocks(std::string_view text, const std::string& 
     const std::string_view part(begin, static_cast<std::size_t>(next - begin));
     Token block(new Block{begin, next, NffReader(part, name, nobody), false, {}, {}});
     block->to_reader.give();
+    cutting.give();
     return block;
   };
   const auto read = [](const Token& block) {
@@ -92,14 +95,17 @@ Result<ReadScene> parse_nff_by_blocks(std::string_view text, const std::string& 
   // its place.
   const auto put_together = [&](const Token& block) {
     block->from_reader.take();
+    joining.take();
     const bool taken = block->shapes_only && whole.take(block->reader, block->begin, block->end);
     if (!taken) whole.read_to(block->end);
+    joining.give();
   };
   using tbb::filter_mode;
   tbb::parallel_pipeline(
       kBlocksAtOnce, tbb::make_filter<void, Token>(filter_mode::serial_in_order, cut) &
                          tbb::make_filter<Token, Token>(filter_mode::parallel, read) &
                          tbb::make_filter<Token, void>(filter_mode::serial_in_order, put_together));
+  joining.take();
   return whole.finish();
 }
 
