@@ -88,7 +88,13 @@ expect 1 "error" bash -c "ulimit -f 8; '$zraka' render $scene -o '$folder/old.pn
 
 # Stages: seven pictures, six differences, one sheet.
 expect 0 "contact-sheet.png" "$zraka" stages "$scene" -o "$folder/stages/deep" --width 60
+cp "$folder/words" "$folder/stages.out"
 [ "$(find "$folder/stages/deep" -name '*.png' | wc -l)" = 14 ] || fail "stages wrote $(ls "$folder/stages/deep")"
+# It counts the pixels that its files differ in.
+for pair in 1-silhouette:2-ambient 2-ambient:3-diffuse 3-diffuse:4-specular; do
+  counted=$("$zraka" compare "$folder/stages/deep/${pair%:*}.png" "$folder/stages/deep/${pair#*:}.png" | sed -n '1s/ of .*//p')
+  grep -qF ": $counted of 3 600 pixels change" "$folder/stages.out" || fail "stages says not that $counted pixels change"
+done
 expect 1 "cannot be made a folder" "$zraka" stages "$scene" -o "$folder/old.png"
 
 # Letters.

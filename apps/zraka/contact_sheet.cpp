@@ -45,17 +45,17 @@ void write_caption(const Font& font, const std::string& caption, Image& onto, st
 
 }  // namespace
 
-Difference difference(const Image& a, const Image& b) {
+Difference difference(const Image& a, const Image& b, Transfer transfer) {
   Difference result{Image(a.width, a.height)};
   float largest = 0;
   for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
-    float most = 0;
+    bool differs = false;
     for (std::size_t c = i; c < i + 3; ++c) {
       result.image.pixels[c] = std::fabs(clamped(a.pixels[c]) - clamped(b.pixels[c]));
-      most = std::max(most, result.image.pixels[c]);
+      largest = std::max(largest, result.image.pixels[c]);
+      differs = differs || quantize(a.pixels[c], transfer, 8) != quantize(b.pixels[c], transfer, 8);
     }
-    largest = std::max(largest, most);
-    if (most > 0.5f / 255.0f) ++result.pixels;
+    if (differs) ++result.pixels;
   }
   result.gain = largest > 0 ? std::clamp(1.0 / static_cast<double>(largest), 1.0, kMostGain) : 1.0;
   for (float& v : result.image.pixels) v *= static_cast<float>(result.gain);

@@ -19,10 +19,10 @@ struct Captioned {
 struct Difference {
   Image image;
   double gain = 1;
-  std::uint64_t pixels = 0;  ///< that differ by more than half a step of 8 bits
+  std::uint64_t pixels = 0;  ///< that differ in files of 8 bits, written through `transfer`
 };
 inline constexpr double kMostGain = 16;
-Difference difference(const Image& a, const Image& b);
+Difference difference(const Image& a, const Image& b, Transfer transfer);
 
 /// Rows of pictures of the same size, reduced to at most `side` pixels, with captions where a font
 /// is there.

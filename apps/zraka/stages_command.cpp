@@ -66,7 +66,7 @@ int run(const Words& words) {
     stages.push_back({&(*images)[i], fmt::format("{} {}", i + 1, kStageNames[i])});
   }
   for (std::size_t i = 0; i + 1 < kStages; ++i) {
-    differences[i] = difference((*images)[i], (*images)[i + 1]);
+    differences[i] = difference((*images)[i], (*images)[i + 1], options.profile.transfer);
     write(differences[i].image, fmt::format("difference-{}-{}.png", i + 1, i + 2));
     changes.push_back({&differences[i].image,
                        fmt::format("{} to {}, ×{:.1f}", i + 1, i + 2, differences[i].gain)});

@@ -121,7 +121,9 @@ ExplainedHit TreeReader::surface(const Level<float>& level, const Scratch<float>
   hit.distance = stand_.length(s.t[ray]);
   hit.point = stand_.place(s.px[h], s.py[h], s.pz[h]);
   hit.normal = {s.nx[h], s.ny[h], s.nz[h]};
-  hit.flipped = s.inside[h] > 0;
+  const bool turns = stand_.settings.mistake != Mistake::normal_outward &&
+                     stand_.settings.mistake != Mistake::normal_for_refraction;
+  hit.flipped = turns && s.inside[h] > 0;
   hit.ka = {m[kAmbient], m[kAmbient + 1], m[kAmbient + 2]};
   hit.kd = {m[kDiffuse], m[kDiffuse + 1], m[kDiffuse + 2]};
   hit.ks = {m[kSpecular], m[kSpecular + 1], m[kSpecular + 2]};
