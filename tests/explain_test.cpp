@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 #if defined(ZRAKA_SANITIZED)
-constexpr int kPixels = 40, kPixelsOfOthers = 20;
+constexpr int kPixels = 15, kPixelsOfOthers = 8;
 #else
 constexpr int kPixels = 1000, kPixelsOfOthers = 100;
 #endif

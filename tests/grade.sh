@@ -6,22 +6,22 @@ scene=scenes/lab/input.txt
 class=$folder/class
 mkdir -p "$class/right" "$class/wrong"
 for stage in 1 4 7; do
-  "$zraka" render $scene --width 80 --stage $stage -o "$class/right/$stage.png" -q || fail "render"
+  "$zraka" render $scene --width 48 --stage $stage -o "$class/right/$stage.png" -q || fail "render"
 done
 cp "$class/right/1.png" "$class/right/4.png" "$class/wrong/"
-"$zraka" render $scene --width 80 --mistake ratio-inverted -o "$class/wrong/refrakcija.png" -q || fail "render with a mistake"
+"$zraka" render $scene --width 48 --mistake ratio-inverted -o "$class/wrong/refrakcija.png" -q || fail "render with a mistake"
 
-"$zraka" grade $scene --width 80 "$class/wrong" >"$folder/out" || fail "grade ended with $?"
+"$zraka" grade $scene --width 48 "$class/wrong" >"$folder/out" || fail "grade ended with $?"
 contains "$folder/out" "b is n2/n1 for n1/n2"
 contains "$folder/out" "there is no picture of this stage"
-"$zraka" grade $scene --width 80 "$class/wrong" --lang hr >"$folder/out" || fail "grade in Croatian"
+"$zraka" grade $scene --width 48 "$class/wrong" --lang hr >"$folder/out" || fail "grade in Croatian"
 contains "$folder/out" "b je n2/n1 umjesto n1/n2"
-"$zraka" grade $scene --width 80 "$class/right/7.png" --format json >"$folder/json" || fail "json"
+"$zraka" grade $scene --width 48 "$class/right/7.png" --format json >"$folder/json" || fail "json"
 python3 -c 'import json, sys; g = json.load(open(sys.argv[1])); assert g["score"] == g["max_score"] == 1, g; assert g["tests"][0]["verdict"] == "right", g' \
   "$folder/json" || fail "the JSON is wrong"
 
 # Pages: the pictures that show what is wrong, and nothing from outside.
-"$zraka" grade $scene --width 80 "$class/wrong" -o "$folder/wrong.html" --lang hr || fail "no page"
+"$zraka" grade $scene --width 48 "$class/wrong" -o "$folder/wrong.html" --lang hr || fail "no page"
 contains "$folder/wrong.html" "b je n2/n1 umjesto n1/n2"
 contains "$folder/wrong.html" "<h1>wrong</h1>"
 [ "$(grep -o '<img' "$folder/wrong.html" | wc -l)" = 6 ] || fail "a page without its pictures"
@@ -40,13 +40,13 @@ open(folder + "/text.png", "w").write("no picture")
 header = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + (60000).to_bytes(4, "big") * 2 + b"\x08\x02\0\0\0\0\0\0\0"
 open(folder + "/huge.png", "wb").write(header)
 PY
-"$zraka" grade $scene --width 80 "$class" --all >"$folder/out" || fail "a class ended with $?"
+"$zraka" grade $scene --width 48 "$class" --all >"$folder/out" || fail "a class ended with $?"
 [ "$(wc -l <"$folder/out")" = 7 ] || { fail "not a line for each"; cat "$folder/out"; }
 contains "$folder/out" "the archive has a file outside of its folder: '../../7.png'"
 [ "$(grep -c ' 3/7 1+ 2- 3- 4+ 5- 6- 7+' "$folder/out")" = 2 ] || { fail "folder and archive differ"; cat "$folder/out"; }
 contains "$folder/out" "bomb.zip"
 mkdir "$class/one" && cp "$class/right/7.png" "$class/one/"
-"$zraka" grade $scene --width 80 "$class" --all -o "$folder/class.html" || fail "no page of a class"
+"$zraka" grade $scene --width 48 "$class" --all -o "$folder/class.html" || fail "no page of a class"
 [ "$(grep -c '<details>' "$folder/class.html")" = 8 ] || fail "the page has not a row for each"
 contains "$folder/class.html" "1 of 7 marks"
 [ -e "$folder/7.png" ] && fail "an archive climbed out"

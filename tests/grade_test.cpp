@@ -110,6 +110,9 @@ TEST(Mistakes, OfNoneIsTheRightPicture) {
 }
 
 TEST(Mistakes, ShowFromTheirStageOn) {
+#ifdef ZRAKA_SANITIZED
+  GTEST_SKIP() << "takes a minute under a sanitizer, and runs no other code than its neighbours";
+#endif
   const Scene scenes[] = {course_scene(), second_scene(), third_scene()};
   for (const MistakeEntry& entry : all_mistakes()) {
     bool seen = false;
@@ -243,6 +246,9 @@ TEST(Grade, NamesTheCauseInPng) {
 }
 
 TEST(Grade, NamesTheCauseInJpeg) {
+#ifdef ZRAKA_SANITIZED
+  GTEST_SKIP() << "takes a minute under a sanitizer, and runs no other code than its neighbours";
+#endif
   expect_named(
       [](const Image& image, const Folder& f) {
         std::ofstream(f.file("a.jpg"), std::ios::binary) << jpeg_file(image, 90);
@@ -251,6 +257,9 @@ TEST(Grade, NamesTheCauseInJpeg) {
 }
 
 TEST(Grade, NamesTheCauseUpsideDown) {
+#ifdef ZRAKA_SANITIZED
+  GTEST_SKIP() << "takes a minute under a sanitizer, and runs no other code than its neighbours";
+#endif
   expect_named([](const Image& image,
                   const Folder& f) { save_png(flipped_vertically(image), f.file("a.png")); },
                0.95);
