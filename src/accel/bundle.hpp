@@ -2,7 +2,8 @@
 // Rays that go down the hierarchy together.
 #pragma once
 
-#include "accel/single_ray.hpp"
+#include "accel/ray_lanes.hpp"
+#include "accel/stack.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -17,7 +18,14 @@ struct BundleEntry {
 template <class L>
 using BundleStack = Stack<BundleEntry<typename L::Real>>;
 
-/// Rays in lanes, and what bounds all of them.
+/// 1/d with a large number for 1/0; boxes are larger than what that errs.
+template <class F>
+ZRAKA_INLINE F slab_inverse(F d) {
+  const F tiny(0x1p-60f);
+  return F(1) / select(abs(d) < tiny, select(d < F(0), -tiny, tiny), d);
+}
+
+/// Rays in lanes, each for itself in memory besides, and what bounds all of them.
 template <class L>
 class Bundle {
  public:
@@ -29,45 +37,41 @@ class Bundle {
         y_(ray.origin.y, ray.direction.y, active),
         z_(ray.origin.z, ray.direction.z, active),
         coherent_(x_.same_side && y_.same_side && z_.same_side) {
-    const F rays[9] = {ray.origin.x,    ray.origin.y,    ray.origin.z,
-                       ray.direction.x, ray.direction.y, ray.direction.z,
-                       x_.inverse,      y_.inverse,      z_.inverse};
-    for (std::size_t i = 0; i < 9; ++i) L::store(rays[i], single_[i]);
+    const F rays[kColumns] = {ray.origin.x,    ray.origin.y,    ray.origin.z, ray.direction.x,
+                              ray.direction.y, ray.direction.z, x_.inverse,   y_.inverse,
+                              z_.inverse,      x_.scaled,       y_.scaled,    z_.scaled};
+    for (std::size_t i = 0; i < kColumns; ++i) L::store(rays[i], single_[i]);
   }
 
-  /// Ray i in all lanes.
-  ZRAKA_INLINE SingleRay<L> single(std::size_t i) const {
-    const auto vector = [&](std::size_t first) {
-      return V3<R>{single_[first][i], single_[first + 1][i], single_[first + 2][i]};
-    };
-    return {vector(0), vector(3), vector(6)};
-  }
+  /// Of ray i, in all lanes.
+  ZRAKA_INLINE V3<F> origin(std::size_t i) const { return of_one(0, i); }
+  ZRAKA_INLINE V3<F> direction(std::size_t i) const { return of_one(3, i); }
 
-  /// Pushes the children that some of the rays meet before their own t, and `farthest`, the
-  /// greatest of these.
-  ZRAKA_INLINE void push_children(const Node& node, std::uint32_t rays, F t, R farthest,
-                                  bool sorted, BundleStack<L>& stack) const {
-    const int before = stack.size();
-    if (coherent_)
-      push_if_met(node, rays, t, farthest, stack,
-                  [&](const Axis& axis, const float* lower, const float* upper, std::size_t i) {
-                    const float in = axis.back ? upper[i] : lower[i],
-                                out = axis.back ? lower[i] : upper[i];
-                    return Slab{roughly_mul_sub(F(static_cast<R>(in)), axis.inverse, axis.scaled),
-                                roughly_mul_sub(F(static_cast<R>(out)), axis.inverse, axis.scaled)};
-                  });
-    else
-      push_if_met(
-          node, rays, t, farthest, stack,
-          [&](const Axis& axis, const float* lower, const float* upper, std::size_t i) {
-            const F a = roughly_mul_sub(F(static_cast<R>(lower[i])), axis.inverse, axis.scaled);
-            const F b = roughly_mul_sub(F(static_cast<R>(upper[i])), axis.inverse, axis.scaled);
-            return Slab{min(a, b), max(a, b)};
-          });
-    if (sorted) stack.sort_from(before);
+  /// Pushes the children that some of the rays meet before their own t, of which `farthest` is the
+  /// greatest.
+  ZRAKA_INLINE void push_children(const Node& node, std::uint32_t rays, const R* t, R farthest,
+                                  BundleStack<L>& stack) const {
+    for (std::size_t k = 0; k < kNodeWidth; k += L::kWidth) {
+      if (!coherent_) {
+        push_ray_by_ray<false>(node, k, rays, t, stack);
+        continue;
+      }
+      alignas(64) R nearest[L::kWidth];
+      const std::uint32_t met = candidates(node, k, farthest, nearest);
+      if (__builtin_popcount(rays) < __builtin_popcount(met))
+        push_ray_by_ray<true>(node, k, rays, t, stack);
+      else
+        push_box_by_box(node, k, met, rays, L::load(t), nearest, stack);
+    }
   }
 
  private:
+  static constexpr std::size_t kColumns = 12;
+
+  ZRAKA_INLINE V3<F> of_one(std::size_t column, std::size_t i) const {
+    return {F(single_[column][i]), F(single_[column + 1][i]), F(single_[column + 2][i])};
+  }
+
   /// Where rays enter and leave what lies between two planes.
   struct Slab {
     F enter, leave;
@@ -102,42 +106,12 @@ class Bundle {
       const F out = back ? o_upper - L::load_box(lower) : L::load_box(upper) - o_lower;
       return {in * select(in > F(0), i_lower, i_upper), out * select(out > F(0), i_upper, i_lower)};
     }
-    /// How far at least the boxes are from where the rays begin.
-    ZRAKA_INLINE F gap(const float* lower, const float* upper) const {
-      return max(L::load_box(lower) - o_upper, o_lower - L::load_box(upper));
-    }
   };
 
-  template <class SlabOf>
-  ZRAKA_INLINE void push_if_met(const Node& node, std::uint32_t rays, F t, R farthest,
-                                BundleStack<L>& stack, const SlabOf& slab_of) const {
-    for (std::size_t k = 0; k < kNodeWidth; k += L::kWidth) {
-      alignas(64) R nearest[L::kWidth];
-      for (std::uint32_t met = candidates(node, k, farthest, nearest); met != 0; met &= met - 1) {
-        const auto lane = static_cast<std::size_t>(__builtin_ctz(met));
-        const std::size_t i = k + lane;
-        const Slab x = slab_of(x_, node.lower_x, node.upper_x, i);
-        const Slab y = slab_of(y_, node.lower_y, node.upper_y, i);
-        const Slab z = slab_of(z_, node.lower_z, node.upper_z, i);
-        const F enter = max(max(x.enter, y.enter), max(z.enter, F(0)));
-        const F leave = min(min(x.leave, y.leave), min(z.leave, t));
-        const std::uint32_t through = rays & bits(enter <= leave);
-        stack.push_if(through != 0, {nearest[lane], node.child[i], node.leaf[i], through});
-      }
-    }
-  }
-
   /// Which of the boxes [k, k + kWidth) any of the rays may meet before `limit`, and bounds of
-  /// where they begin.
+  /// where they begin; for rays that go to the same sides.
   ZRAKA_INLINE std::uint32_t candidates(const Node& node, std::size_t k, R limit,
                                         R* nearest) const {
-    if (!coherent_) {
-      L::store(max(max(x_.gap(node.lower_x + k, node.upper_x + k),
-                       y_.gap(node.lower_y + k, node.upper_y + k)),
-                   max(z_.gap(node.lower_z + k, node.upper_z + k), F(0))),
-               nearest);
-      return bits(L::load_box(node.lower_x + k) <= L::load_box(node.upper_x + k));
-    }
     const Slab x = x_.slab(node.lower_x + k, node.upper_x + k);
     const Slab y = y_.slab(node.lower_y + k, node.upper_y + k);
     const Slab z = z_.slab(node.lower_z + k, node.upper_z + k);
@@ -146,9 +120,78 @@ class Bundle {
     return bits(enter <= min(min(x.leave, y.leave), min(z.leave, F(limit))));
   }
 
+  /// Each of the candidates among the boxes [k, k + kWidth) against all rays at once, where there
+  /// are more rays than boxes.
+  ZRAKA_INLINE void push_box_by_box(const Node& node, std::size_t k, std::uint32_t candidates,
+                                    std::uint32_t rays, F t, const R* nearest,
+                                    BundleStack<L>& stack) const {
+    for (; candidates != 0; candidates &= candidates - 1) {
+      const auto lane = static_cast<std::size_t>(__builtin_ctz(candidates));
+      const std::size_t i = k + lane;
+      const auto slab = [i](const Axis& axis, const float* lower, const float* upper) {
+        const float in = axis.back ? upper[i] : lower[i], out = axis.back ? lower[i] : upper[i];
+        return Slab{roughly_mul_sub(F(static_cast<R>(in)), axis.inverse, axis.scaled),
+                    roughly_mul_sub(F(static_cast<R>(out)), axis.inverse, axis.scaled)};
+      };
+      const Slab x = slab(x_, node.lower_x, node.upper_x);
+      const Slab y = slab(y_, node.lower_y, node.upper_y);
+      const Slab z = slab(z_, node.lower_z, node.upper_z);
+      const F enter = max(max(x.enter, y.enter), max(z.enter, F(0)));
+      const F leave = min(min(x.leave, y.leave), min(z.leave, t));
+      const std::uint32_t through = rays & bits(enter <= leave);
+      stack.push_if(through != 0, {nearest[lane], node.child[i], node.leaf[i], through});
+    }
+  }
+
+  /// Each of the rays against all the boxes [k, k + kWidth) at once, where there are fewer rays
+  /// than boxes or the rays go to different sides.
+  template <bool kSameSides>
+  ZRAKA_INLINE void push_ray_by_ray(const Node& node, std::size_t k, std::uint32_t rays, const R* t,
+                                    BundleStack<L>& stack) const {
+    using I = typename L::I;
+    const auto sides = [k](const Axis& axis, const float* lower, const float* upper) {
+      const bool back = kSameSides && axis.back;
+      return Slab{L::load_box((back ? upper : lower) + k), L::load_box((back ? lower : upper) + k)};
+    };
+    const Slab x = sides(x_, node.lower_x, node.upper_x);
+    const Slab y = sides(y_, node.lower_y, node.upper_y);
+    const Slab z = sides(z_, node.lower_z, node.upper_z);
+    I through(0);  // by box: the rays that meet it
+    F nearest(kFarAway<R>);
+    for (std::uint32_t left = rays; left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+      const auto slab = [&](const Slab& side, std::size_t axis) {
+        const F inverse(single_[6 + axis][i]), scaled(single_[9 + axis][i]);
+        const F a = roughly_mul_sub(side.enter, inverse, scaled);
+        const F b = roughly_mul_sub(side.leave, inverse, scaled);
+        return kSameSides ? Slab{a, b} : Slab{min(a, b), max(a, b)};
+      };
+      const Slab sx = slab(x, 0), sy = slab(y, 1), sz = slab(z, 2);
+      const F enter = max(max(sx.enter, sy.enter), max(sz.enter, F(0)));
+      const F leave = min(min(sx.leave, sy.leave), min(sz.leave, F(t[i])));
+      const auto met = enter <= leave;
+      through = select(met, through + I(std::int32_t{1} << i), through);
+      nearest = select(met, min(nearest, enter), nearest);
+    }
+    // A missing child's box is empty only as long as its sides are not turned round.
+    auto met = nearest < F(kFarAway<R>);
+    if (!kSameSides) met = both(met, x.enter <= x.leave);
+    alignas(64) std::int32_t rays_of[L::kWidth];
+    alignas(64) R near[L::kWidth];
+    L::store(through, rays_of);
+    L::store(nearest, near);
+    for (std::uint32_t boxes = bits(met); boxes != 0; boxes &= boxes - 1) {
+      const auto lane = static_cast<std::size_t>(__builtin_ctz(boxes));
+      const std::size_t i = k + lane;
+      stack.push(
+          {near[lane], node.child[i], node.leaf[i], static_cast<std::uint32_t>(rays_of[lane])});
+    }
+  }
+
   Axis x_, y_, z_;
-  bool coherent_;                       ///< all rays go to the same side along each axis
-  alignas(64) R single_[9][L::kWidth];  ///< of each ray: origin, direction, 1/direction
+  bool coherent_;  ///< all rays go to the same side along each axis
+  /// Of each ray: origin, direction, 1/direction, origin/direction.
+  alignas(64) R single_[kColumns][L::kWidth];
 };
 
 }  // namespace zraka::ZRAKA_ISA
