@@ -16,8 +16,10 @@
 namespace zraka {
 namespace {
 
-/// Ranges up to this size are not split further.
+/// Ranges up to this size are split further only where that shrinks what rays meet to kWorthwhile:
+/// thin shapes apart from each other, but not neighbours of a mesh.
 constexpr std::size_t kSmallLeaf = 4;
+constexpr float kWorthwhile = 0.5F;
 /// Ranges up to this size are leaves rather than nodes of their own; a vector of shapes costs
 /// hardly more than one.
 constexpr std::size_t kLargeLeaf = 12;
@@ -88,20 +90,25 @@ class Builder {
 
 /// Always splits what costs most, until sixteen children are there.
 void Builder::split_greedily(std::vector<Range>& ranges, int depth) const {
+  std::uint32_t whole = 0;  // those that stay as they are, a bit each
   while (ranges.size() < kNodeWidth) {
     std::size_t best = ranges.size();
     float most = -1;
     for (std::size_t i = 0; i < ranges.size(); ++i) {
       const Range& range = ranges[i];
-      if (can_be_leaf(range, kSmallLeaf)) continue;
-      const auto size = static_cast<float>(range.size());
-      const float cost = depth < kFreeDepth ? range.bounds.half_area() * size : size;
+      if (range.size() < 2 || (whole >> i & 1) != 0) continue;
+      const float cost = depth < kFreeDepth ? range.cost() : static_cast<float>(range.size());
       if (best == ranges.size() || cost > most) most = cost, best = i;
     }
     if (best == ranges.size()) return;
-    auto [left, right] = ranges[best].size() <= kSmallLeaf
-                             ? split_kinds(ranges[best])
-                             : split(ranges[best], depth >= kFreeDepth);
+    const Range range = ranges[best];
+    const bool few = range.size() <= kSmallLeaf, could_stay = few && one_kind(range);
+    const auto [left, right] =
+        few && !could_stay ? split_kinds(range) : split(range, depth >= kFreeDepth);
+    if (could_stay && !(left.cost() + right.cost() <= kWorthwhile * range.cost())) {
+      whole |= 1u << best;
+      continue;
+    }
     ranges[best] = left;
     ranges.push_back(right);
   }

@@ -69,6 +69,8 @@ struct Range {
   BuildRef *begin, *end;
   Bounds bounds, centers;
   std::size_t size() const { return static_cast<std::size_t>(end - begin); }
+  /// What it costs to meet all of it, by the surface area heuristic.
+  float cost() const { return bounds.half_area() * static_cast<float>(size()); }
 };
 
 /// With the bounds of references and of their centres.
