@@ -56,6 +56,10 @@ class Bundle {
         push_ray_by_ray<false>(node, k, rays, t, stack);
         continue;
       }
+      if (L::kWidth == 1) {  // intervals of one ray cull no more than its own test
+        push_ray_by_ray<true>(node, k, rays, t, stack);
+        continue;
+      }
       alignas(64) R nearest[L::kWidth];
       const std::uint32_t met = candidates(node, k, farthest, nearest);
       if (__builtin_popcount(rays) < __builtin_popcount(met))
