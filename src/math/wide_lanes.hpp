@@ -213,7 +213,7 @@ ZRAKA_INLINE void pack(Tag tag, hn::Vec<Tag> v, hn::Mask<Tag> m, std::uint32_t m
   }
 }
 
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+#ifdef __AVX2__
 template <class Tag, class T>
 ZRAKA_INLINE hn::Vec<Tag> one_by_one(Tag tag, const T* base, const std::int32_t* at) {
   if constexpr (hn::MaxLanes(Tag()) > 4) {
