@@ -249,6 +249,27 @@ TEST(Hierarchy, StaysFlatEnoughForItsStack) {
   EXPECT_LE(deepest, kMaxNodeDepth);
 }
 
+/// How many primitives each leaf below the root of so many boxes has.
+std::vector<int> leaves_of(BuildRefs refs) {
+  const auto count = static_cast<std::int32_t>(refs.size());
+  const BuiltHierarchy built = build_hierarchy(std::move(refs), {0, count});
+  std::vector<int> counts;
+  for (const std::int32_t leaf : built.nodes[0].leaf)
+    if (leaf != kNoChild) counts.push_back(leaf % (2 * kNodeWidth));
+  return counts;
+}
+
+TEST(Hierarchy, SplitsLeavesWhereThatHalvesWhatRaysMeet) {
+  BuildRefs posts(12), quads(12);
+  for (std::int32_t i = 0; i < 12; ++i) {
+    const auto x = static_cast<float>(i), pair = static_cast<float>(i / 2 * 2);
+    posts[static_cast<std::size_t>(i)] = {{x, 0, 0}, {x + 0.1f, 9, 0.1f}, i};
+    quads[static_cast<std::size_t>(i)] = {{pair, 0, 0}, {pair + 1, 1, 0.1f}, i};
+  }
+  EXPECT_EQ(leaves_of(std::move(posts)), std::vector<int>(12, 1)) << "thin ones apart: alone";
+  EXPECT_EQ(leaves_of(std::move(quads)), std::vector<int>(6, 2)) << "halves of a quad: together";
+}
+
 TEST(Hierarchy, IsTheSameFromAnyNumberOfThreads) {
   const Scene scene = everything(20000, 0.05);
   const auto store = freeze<float>(scene, profile_of(ProfileName::physical), frame_of(scene));
