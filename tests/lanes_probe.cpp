@@ -71,30 +71,34 @@ void sphere(const float* origins, const float* directions, const float* spheres,
 void trace(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
            const ProbeRay* rays, ProbeHit* hits, std::size_t count) {
   const FrozenScene<L::Real>* scene = own(floats, doubles, L::Real());
-  for (std::size_t first = 0; first < count; first += L::kWidth) {
+  const auto load = [&](std::size_t first) {
     L::Real o[3][L::kWidth] = {}, d[3][L::kWidth] = {}, limit[L::kWidth] = {};
-    const std::size_t n = std::min(L::kWidth, count - first);
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < L::kWidth && first + i < count; ++i) {
       for (int k = 0; k < 3; ++k) {
         o[k][i] = static_cast<L::Real>(rays[first + i].origin[k]);
         d[k][i] = static_cast<L::Real>(rays[first + i].direction[k]);
       }
       limit[i] = static_cast<L::Real>(rays[first + i].limit);
     }
-    RayLanes<L> ray{{L::load(o[0]), L::load(o[1]), L::load(o[2])},
-                    {L::load(d[0]), L::load(d[1]), L::load(d[2])},
-                    L::load(limit),
-                    L::I(-1)};
+    return RayLanes<L>{{L::load(o[0]), L::load(o[1]), L::load(o[2])},
+                       {L::load(d[0]), L::load(d[1]), L::load(d[2])},
+                       L::load(limit),
+                       L::I(-1)};
+  };
+  for (std::size_t first = 0; first < count; first += RayGroup<L>::kRays) {
+    RayGroup<L> feelers(first, count, load), group(first, count, load);
     LastBlocker last;
-    const std::uint32_t blocked = bits(find_blocked<L>(*scene, L::first(n), last, ray));
-    find_nearest<L>(*scene, L::first(n), ray);
-    L::Real t[L::kWidth];
-    std::int32_t slot[L::kWidth];
-    L::store(ray.t, t);
-    L::store(ray.slot, slot);
-    for (std::size_t i = 0; i < n; ++i)
-      hits[first + i] = {static_cast<double>(t[i]), slot[i] < 0 ? -1 : id_of(*scene, slot[i]),
-                         (blocked >> i & 1) != 0};
+    const std::uint32_t blocked = find_blocked<L>(*scene, last, feelers);
+    find_nearest<L>(*scene, group);
+    for (std::size_t i = 0; i < RayGroup<L>::kRays && first + i < count; ++i) {
+      L::Real t[L::kWidth];
+      std::int32_t slot[L::kWidth];
+      const std::size_t lane = i % L::kWidth;
+      L::store(group.ray[i / L::kWidth].t, t);
+      L::store(group.ray[i / L::kWidth].slot, slot);
+      hits[first + i] = {static_cast<double>(t[lane]),
+                         slot[lane] < 0 ? -1 : id_of(*scene, slot[lane]), (blocked >> i & 1) != 0};
+    }
   }
 }
 

@@ -30,13 +30,17 @@ void intersect(const float* numbers, const Rays& rays, float* t) {
   }
 }
 
+RayGroup<L> group_at(const Rays& rays, std::size_t first, float far) {
+  return RayGroup<L>(first, rays.count, [&](std::size_t i) { return ray_at(rays, i, far); });
+}
+
 std::size_t nearest(const FrozenScene<float>& scene, const Rays& rays) {
   std::size_t hits = 0;
-  for (std::size_t i = 0; i < rays.count; i += L::kWidth) {
-    RayLanes<L> ray = ray_at(rays, i, kFarAway<float>);
-    const auto active = L::first(rays.count - i);
-    find_nearest<L>(scene, active, ray);
-    hits += count(both(active, ray.slot >= L::I(0)));
+  for (std::size_t first = 0; first < rays.count; first += RayGroup<L>::kRays) {
+    RayGroup<L> group = group_at(rays, first, kFarAway<float>);
+    find_nearest<L>(scene, group);
+    for (std::size_t r = 0; r < kRegisters<L>; ++r)
+      hits += count(both(group.active[r], group.ray[r].slot >= L::I(0)));
   }
   return hits;
 }
@@ -44,8 +48,10 @@ std::size_t nearest(const FrozenScene<float>& scene, const Rays& rays) {
 std::size_t blocked(const FrozenScene<float>& scene, const Rays& rays, float far) {
   std::size_t hits = 0;
   LastBlocker last;
-  for (std::size_t i = 0; i < rays.count; i += L::kWidth)
-    hits += count(find_blocked<L>(scene, L::first(rays.count - i), last, ray_at(rays, i, far)));
+  for (std::size_t first = 0; first < rays.count; first += RayGroup<L>::kRays) {
+    RayGroup<L> group = group_at(rays, first, far);
+    hits += static_cast<std::size_t>(__builtin_popcount(find_blocked<L>(scene, last, group)));
+  }
   return hits;
 }
 

@@ -25,22 +25,25 @@ ZRAKA_INLINE F slab_inverse(F d) {
   return F(1) / select(abs(d) < tiny, select(d < F(0), -tiny, tiny), d);
 }
 
-/// Rays in lanes, each for itself in memory besides, and what bounds all of them.
+/// A group of rays in lanes, each for itself in memory besides, and what bounds all of them.
 template <class L>
 class Bundle {
  public:
   using R = typename L::Real;
   using F = typename L::F;
 
-  ZRAKA_INLINE Bundle(const RayLanes<L>& ray, typename L::M active)
-      : x_(ray.origin.x, ray.direction.x, active),
-        y_(ray.origin.y, ray.direction.y, active),
-        z_(ray.origin.z, ray.direction.z, active),
+  ZRAKA_INLINE explicit Bundle(const RayGroup<L>& rays)
+      : x_(rays, &V3<F>::x),
+        y_(rays, &V3<F>::y),
+        z_(rays, &V3<F>::z),
         coherent_(x_.same_side && y_.same_side && z_.same_side) {
-    const F rays[kColumns] = {ray.origin.x,    ray.origin.y,    ray.origin.z, ray.direction.x,
-                              ray.direction.y, ray.direction.z, x_.inverse,   y_.inverse,
-                              z_.inverse,      x_.scaled,       y_.scaled,    z_.scaled};
-    for (std::size_t i = 0; i < kColumns; ++i) L::store(rays[i], single_[i]);
+    for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+      const V3<F>&o = rays.ray[r].origin, &d = rays.ray[r].direction;
+      const F columns[kColumns] = {o.x,           o.y,          o.z,           d.x,
+                                   d.y,           d.z,          x_.inverse[r], y_.inverse[r],
+                                   z_.inverse[r], x_.scaled[r], y_.scaled[r],  z_.scaled[r]};
+      for (std::size_t i = 0; i < kColumns; ++i) L::store(columns[i], single_[i] + r * L::kWidth);
+    }
   }
 
   /// Of ray i, in all lanes.
@@ -62,10 +65,10 @@ class Bundle {
       }
       alignas(64) R nearest[L::kWidth];
       const std::uint32_t met = candidates(node, k, farthest, nearest);
-      if (__builtin_popcount(rays) < __builtin_popcount(met))
+      if (__builtin_popcount(rays) < static_cast<int>(kRegisters<L>) * __builtin_popcount(met))
         push_ray_by_ray<true>(node, k, rays, t, stack);
       else
-        push_box_by_box(node, k, met, rays, L::load(t), nearest, stack);
+        push_box_by_box(node, k, met, rays, t, nearest, stack);
     }
   }
 
@@ -83,17 +86,24 @@ class Bundle {
 
   /// What the rays are along one axis, each and all together.
   struct Axis {
-    F scaled, inverse;   // of each ray: origin/direction and 1/direction
-    F o_lower, o_upper;  // bounds of origins
-    F i_lower, i_upper;  // bounds of the magnitudes of 1/direction
+    F scaled[kRegisters<L>], inverse[kRegisters<L>];  // of each ray: origin/direction, 1/direction
+    F o_lower, o_upper;                               // bounds of origins
+    F i_lower, i_upper;                               // bounds of the magnitudes of 1/direction
     bool back, same_side;
 
-    ZRAKA_INLINE Axis(F o, F d, typename L::M active) : inverse(slab_inverse(d)) {
+    ZRAKA_INLINE Axis(const RayGroup<L>& rays, F V3<F>::* axis) {
       const F far(kFarAway<R>);
-      scaled = o * inverse;
+      F bounds[4] = {far, far, far, far};
+      for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+        const F o = rays.ray[r].origin.*axis;
+        inverse[r] = slab_inverse(rays.ray[r].direction.*axis);
+        scaled[r] = o * inverse[r];
+        const F candidates[4] = {inverse[r], -inverse[r], o, -o};
+        for (std::size_t i = 0; i < 4; ++i)
+          bounds[i] = select(rays.active[r], min(bounds[i], candidates[i]), bounds[i]);
+      }
       R least[4];
-      min_of_each(select(active, inverse, far), select(active, -inverse, far),
-                  select(active, o, far), select(active, -o, far), least);
+      min_of_each(bounds[0], bounds[1], bounds[2], bounds[3], least);
       const R lower = least[0], upper = -least[1];
       same_side = lower > 0 || upper < 0;
       back = upper < 0;
@@ -124,31 +134,35 @@ class Bundle {
     return bits(enter <= min(min(x.leave, y.leave), min(z.leave, F(limit))));
   }
 
-  /// Each of the candidates among the boxes [k, k + kWidth) against all rays at once, where there
-  /// are more rays than boxes.
+  /// Each of the candidates among the boxes [k, k + kWidth) against a register of rays at a time,
+  /// where these are fewer tests.
   ZRAKA_INLINE void push_box_by_box(const Node& node, std::size_t k, std::uint32_t candidates,
-                                    std::uint32_t rays, F t, const R* nearest,
+                                    std::uint32_t rays, const R* t, const R* nearest,
                                     BundleStack<L>& stack) const {
     for (; candidates != 0; candidates &= candidates - 1) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(candidates));
       const std::size_t i = k + lane;
-      const auto slab = [i](const Axis& axis, const float* lower, const float* upper) {
-        const float in = axis.back ? upper[i] : lower[i], out = axis.back ? lower[i] : upper[i];
-        return Slab{roughly_mul_sub(F(static_cast<R>(in)), axis.inverse, axis.scaled),
-                    roughly_mul_sub(F(static_cast<R>(out)), axis.inverse, axis.scaled)};
-      };
-      const Slab x = slab(x_, node.lower_x, node.upper_x);
-      const Slab y = slab(y_, node.lower_y, node.upper_y);
-      const Slab z = slab(z_, node.lower_z, node.upper_z);
-      const F enter = max(max(x.enter, y.enter), max(z.enter, F(0)));
-      const F leave = min(min(x.leave, y.leave), min(z.leave, t));
-      const std::uint32_t through = rays & bits(enter <= leave);
+      std::uint32_t through = 0;
+      for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+        const auto slab = [i, r](const Axis& axis, const float* lower, const float* upper) {
+          const float in = axis.back ? upper[i] : lower[i], out = axis.back ? lower[i] : upper[i];
+          return Slab{roughly_mul_sub(F(static_cast<R>(in)), axis.inverse[r], axis.scaled[r]),
+                      roughly_mul_sub(F(static_cast<R>(out)), axis.inverse[r], axis.scaled[r])};
+        };
+        const Slab x = slab(x_, node.lower_x, node.upper_x);
+        const Slab y = slab(y_, node.lower_y, node.upper_y);
+        const Slab z = slab(z_, node.lower_z, node.upper_z);
+        const F enter = max(max(x.enter, y.enter), max(z.enter, F(0)));
+        const F leave = min(min(x.leave, y.leave), min(z.leave, L::load(t + r * L::kWidth)));
+        through |= group_bits<L>(enter <= leave, r);
+      }
+      through &= rays;
       stack.push_if(through != 0, {nearest[lane], node.child[i], node.leaf[i], through});
     }
   }
 
-  /// Each of the rays against all the boxes [k, k + kWidth) at once, where there are fewer rays
-  /// than boxes or the rays go to different sides.
+  /// Each of the rays against all the boxes [k, k + kWidth) at once, where these are fewer tests or
+  /// the rays go to different sides.
   template <bool kSameSides>
   ZRAKA_INLINE void push_ray_by_ray(const Node& node, std::size_t k, std::uint32_t rays, const R* t,
                                     BundleStack<L>& stack) const {
@@ -174,7 +188,7 @@ class Bundle {
       const F enter = max(max(sx.enter, sy.enter), max(sz.enter, F(0)));
       const F leave = min(min(sx.leave, sy.leave), min(sz.leave, F(t[i])));
       const auto met = enter <= leave;
-      through = select(met, through + I(std::int32_t{1} << i), through);
+      through = select(met, through + I(static_cast<std::int32_t>(1u << i)), through);
       nearest = select(met, min(nearest, enter), nearest);
     }
     // A missing child's box is empty only as long as its sides are not turned round.
@@ -195,7 +209,7 @@ class Bundle {
   Axis x_, y_, z_;
   bool coherent_;  ///< all rays go to the same side along each axis
   /// Of each ray: origin, direction, 1/direction, origin/direction.
-  alignas(64) R single_[kColumns][L::kWidth];
+  alignas(64) R single_[kColumns][RayGroup<L>::kRays];
 };
 
 }  // namespace zraka::ZRAKA_ISA

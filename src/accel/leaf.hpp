@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays of a bundle against the shapes of a leaf: rays in lanes and shapes one after the other,
+// The rays of a group against the shapes of a leaf: rays in lanes and shapes one after the other,
 // or the other way round, whichever takes fewer tests.
 #pragma once
 
@@ -47,16 +47,20 @@ ZRAKA_INLINE void each_ray_in_leaf(const FrozenScene<R>& scene, const Bundle<L>&
   });
 }
 
-/// What the rays of a bundle have met so far, in memory where each ray can be asked for.
+/// What the rays of a group have met so far, in memory where each ray can be asked for.
 template <class L>
 struct Nearest {
   using R = typename L::Real;
-  alignas(64) R t[L::kWidth];
-  alignas(64) std::int32_t slot[L::kWidth];
+  alignas(64) R t[RayGroup<L>::kRays];
+  alignas(64) std::int32_t slot[RayGroup<L>::kRays];
 
-  ZRAKA_INLINE void take(const RayLanes<L>& ray) {
-    L::store(ray.t, t);
-    L::store(ray.slot, slot);
+  ZRAKA_INLINE void take(const RayLanes<L>& ray, std::size_t r) {
+    L::store(ray.t, t + r * L::kWidth);
+    L::store(ray.slot, slot + r * L::kWidth);
+  }
+  ZRAKA_INLINE void give(RayLanes<L>& ray, std::size_t r) const {
+    ray.t = L::load(t + r * L::kWidth);
+    ray.slot = L::load(slot + r * L::kWidth);
   }
   /// Ray i meets the shapes of the slots from `first` on at these distances. True if that is
   /// another hit than before.
@@ -79,57 +83,82 @@ struct Nearest {
   }
 };
 
-/// The nearest hits of an entry's rays in its leaf, into `ray` and `nearest`. True if any are new.
+/// The bits of those of the rays that a register holds.
+template <class L>
+ZRAKA_INLINE std::uint32_t in_register(std::uint32_t rays, std::size_t r) {
+  constexpr std::uint32_t kOne = static_cast<std::uint32_t>((std::uint64_t{1} << L::kWidth) - 1);
+  return rays & kOne << (r * L::kWidth);
+}
+
+/// The nearest hits of an entry's rays in its leaf, into `rays` and `nearest`. True if any are new.
 template <class L, class R = typename L::Real>
 ZRAKA_INLINE bool nearest_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& bundle,
-                                  const BundleEntry<R>& entry, RayLanes<L>& ray,
+                                  const BundleEntry<R>& entry, RayGroup<L>& rays,
                                   Nearest<L>& nearest) {
   bool changed = false;
-  if (shapes_in_lanes<L>(entry.rays, entry.leaf)) {
-    each_ray_in_leaf<L>(scene, bundle, entry, entry.rays,
-                        [&](std::size_t i, std::int32_t first, typename L::F distance) {
-                          if (nearest.meet(scene, i, first, distance)) changed = true;
-                        });
-    if (changed) {
-      ray.t = L::load(nearest.t);
-      ray.slot = L::load(nearest.slot);
+  std::uint32_t one_by_one = 0;
+  for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+    const std::uint32_t mine = in_register<L>(entry.rays, r);
+    if (mine == 0) continue;
+    if (shapes_in_lanes<L>(mine, entry.leaf)) {
+      one_by_one |= mine;
+      continue;
     }
-    return changed;
+    RayLanes<L>& ray = rays.ray[r];
+    const typename L::I before = ray.slot;
+    with_kind(scene, leaf_kind(entry.leaf), [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
+      for (std::int32_t i = 0; i < leaf_count(entry.leaf); ++i)
+        meet<L>(scene, shapes, entry.child + i, ray);
+    });
+    if (all(ray.slot == before)) continue;
+    nearest.take(ray, r);
+    changed = true;
   }
-  const typename L::I before = ray.slot;
-  with_kind(scene, leaf_kind(entry.leaf), [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
-    for (std::int32_t i = 0; i < leaf_count(entry.leaf); ++i)
-      meet<L>(scene, shapes, entry.child + i, ray);
-  });
-  changed = !all(ray.slot == before);
-  if (changed) nearest.take(ray);
-  return changed;
+  if (one_by_one == 0) return changed;
+  bool more = false;
+  each_ray_in_leaf<L>(scene, bundle, entry, one_by_one,
+                      [&](std::size_t i, std::int32_t first, typename L::F distance) {
+                        if (nearest.meet(scene, i, first, distance)) more = true;
+                      });
+  if (more)
+    for (std::size_t r = 0; r < kRegisters<L>; ++r) nearest.give(rays.ray[r], r);
+  return changed || more;
 }
 
 /// Which of the rays meet a shape of the entry's leaf nearer than their t; `t` has the same as
-/// ray.t.
+/// the group.
 template <class L, class R = typename L::Real>
 ZRAKA_INLINE std::uint32_t blocked_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& bundle,
                                            const BundleEntry<R>& entry, std::uint32_t rays,
-                                           const RayLanes<L>& ray, const R* t) {
+                                           const RayGroup<L>& group, const R* t) {
   using F = typename L::F;
-  if (shapes_in_lanes<L>(rays, entry.leaf)) {
-    std::uint32_t blocked = 0;
-    each_ray_in_leaf<L>(scene, bundle, entry, rays, [&](std::size_t i, std::int32_t, F distance) {
-      if (any(both(distance > F(0), distance < F(t[i])))) blocked |= 1u << i;
-    });
-    return blocked;
-  }
-  typename L::M blocked = L::first(0);
-  with_kind(scene, leaf_kind(entry.leaf), [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
-    for (std::int32_t i = 0; i < leaf_count(entry.leaf); ++i) {
-      F shape[ShapeTraits<Shape>::kHitReals];
-      broadcast_shape<L>(shapes, entry.child + i, shape);
-      const F distance = ShapeLanes<Shape, L>::intersect(shape, ray.origin, ray.direction);
-      blocked = either(blocked, both(distance > F(0), distance < ray.t));
+  std::uint32_t blocked_rays = 0, one_by_one = 0;
+  for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+    const std::uint32_t mine = in_register<L>(rays, r);
+    if (mine == 0) continue;
+    if (shapes_in_lanes<L>(mine, entry.leaf)) {
+      one_by_one |= mine;
+      continue;
     }
-  });
-  return rays & bits(blocked);
+    const RayLanes<L>& ray = group.ray[r];
+    typename L::M blocked = L::first(0);
+    with_kind(scene, leaf_kind(entry.leaf), [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
+      for (std::int32_t i = 0; i < leaf_count(entry.leaf); ++i) {
+        F shape[ShapeTraits<Shape>::kHitReals];
+        broadcast_shape<L>(shapes, entry.child + i, shape);
+        const F distance = ShapeLanes<Shape, L>::intersect(shape, ray.origin, ray.direction);
+        blocked = either(blocked, both(distance > F(0), distance < ray.t));
+      }
+    });
+    blocked_rays |= mine & group_bits<L>(blocked, r);
+  }
+  if (one_by_one != 0)
+    each_ray_in_leaf<L>(scene, bundle, entry, one_by_one,
+                        [&](std::size_t i, std::int32_t, F distance) {
+                          if (any(both(distance > F(0), distance < F(t[i]))))
+                            blocked_rays |= 1u << i;
+                        });
+  return blocked_rays;
 }
 
 }  // namespace zraka::ZRAKA_ISA

@@ -20,6 +20,40 @@ struct RayLanes {
   typename L::I slot;  ///< its primitive, -1 for none
 };
 
+/// So many registers of rays go through the scene together, up to the 32 rays that an integer has
+/// bits for: what they have in common is done once.
+template <class L>
+inline constexpr std::size_t kRegisters = L::kWidth >= 8 ? 32 / L::kWidth : 1;
+
+/// Rays that go through the scene together, and which of them there are.
+template <class L>
+struct RayGroup {
+  static constexpr std::size_t kRays = kRegisters<L> * L::kWidth;
+  RayLanes<L> ray[kRegisters<L>];
+  typename L::M active[kRegisters<L>];
+
+  /// The rays [first, first + kRays) of n, where load(i) gives the rays [i, i + kWidth).
+  template <class Load>
+  ZRAKA_INLINE RayGroup(std::size_t first, std::size_t n, const Load& load) {
+    for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+      const std::size_t i = first + r * L::kWidth;
+      active[r] = L::first(i < n ? n - i : 0);
+      ray[r] = i < n ? load(i) : ray[0];
+    }
+  }
+};
+
+/// A register's bits among those of its group.
+template <class L>
+ZRAKA_INLINE std::uint32_t group_bits(typename L::M lanes, std::size_t r) {
+  return bits(lanes) << (r * L::kWidth);
+}
+/// The lanes of register r whose bits are set in the group's.
+template <class L>
+ZRAKA_INLINE typename L::M lanes_of(std::uint32_t group, std::size_t r) {
+  return L::from_bits(group >> (r * L::kWidth));
+}
+
 /// Which rays are rays at all: what overflows on its way becomes no number, and meets nothing.
 template <class L>
 ZRAKA_INLINE typename L::M are_numbers(const RayLanes<L>& ray) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Through the hierarchy, sixteen rays at a time: they go down together, and each child is visited
-// by those that meet its box.
+// Through the scene, a group of rays at a time: in the hierarchy they go down together, and each
+// child is visited by those that meet its box.
 #pragma once
 
 #include "accel/flat_list.hpp"
@@ -8,18 +8,37 @@
 
 namespace zraka::ZRAKA_ISA {
 
+/// Leaves out the rays that are no rays, and puts an end before all others that are not active:
+/// these meet nothing. Returns the bits of those that are left.
+template <class L>
+ZRAKA_INLINE std::uint32_t start(RayGroup<L>& rays) {
+  std::uint32_t active = 0;
+  for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+    rays.active[r] = both(rays.active[r], are_numbers<L>(rays.ray[r]));
+    rays.ray[r].t = select(rays.active[r], rays.ray[r].t, typename L::F(-1));
+    active |= group_bits<L>(rays.active[r], r);
+  }
+  return active;
+}
+
+/// The greatest t of a group.
+template <class L>
+ZRAKA_INLINE typename L::Real farthest_of(const RayGroup<L>& rays) {
+  typename L::F farthest = rays.ray[0].t;
+  for (std::size_t r = 1; r < kRegisters<L>; ++r) farthest = max(farthest, rays.ray[r].t);
+  return max_of(farthest);
+}
+
 /// The nearest hit of each active ray nearer than its t.
 template <class L, class R = typename L::Real>
-void nearest_in_hierarchy(const FrozenScene<R>& scene, typename L::M active, RayLanes<L>& ray) {
-  active = both(active, are_numbers<L>(ray));
-  const Bundle<L> bundle(ray, active);
-  // Lanes that are not active meet nothing.
-  ray.t = select(active, ray.t, typename L::F(-1));
+void nearest_in_hierarchy(const FrozenScene<R>& scene, RayGroup<L>& rays) {
+  const std::uint32_t active = start(rays);
+  const Bundle<L> bundle(rays);
   Nearest<L> nearest;
-  nearest.take(ray);
-  R farthest = max_of(ray.t);
+  for (std::size_t r = 0; r < kRegisters<L>; ++r) nearest.take(rays.ray[r], r);
+  R farthest = farthest_of(rays);
   BundleStack<L> stack;
-  stack.push({0, 0, 0, bits(active)});
+  stack.push({0, 0, 0, active});
   while (!stack.empty()) {
     const BundleEntry<R> entry = stack.pop();
     if (entry.t > farthest) continue;
@@ -28,8 +47,8 @@ void nearest_in_hierarchy(const FrozenScene<R>& scene, typename L::M active, Ray
       bundle.push_children(scene.hierarchy.nodes[entry.child], entry.rays, nearest.t, farthest,
                            stack);
       stack.sort_from(before);
-    } else if (nearest_in_leaf<L>(scene, bundle, entry, ray, nearest)) {
-      farthest = max_of(ray.t);
+    } else if (nearest_in_leaf<L>(scene, bundle, entry, rays, nearest)) {
+      farthest = farthest_of(rays);
     }
   }
 }
@@ -40,58 +59,65 @@ struct LastBlocker {
   std::int32_t child = 0, leaf = 0;
 };
 
-/// Which of the wanted rays meet anything nearer than their t.
+/// Which of the active rays meet anything nearer than their t, a bit each. Their t is lost.
 template <class L, class R = typename L::Real>
-typename L::M blocked_in_hierarchy(const FrozenScene<R>& scene, typename L::M wanted,
-                                   LastBlocker& last, RayLanes<L> ray) {
-  using F = typename L::F;
-  wanted = both(wanted, are_numbers<L>(ray));
-  const Bundle<L> bundle(ray, wanted);
-  ray.t = select(wanted, ray.t, F(-1));
-  alignas(64) R t[L::kWidth];
-  L::store(ray.t, t);
-  std::uint32_t left = bits(wanted);
-  R farthest = max_of(ray.t);
+std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& last,
+                                   RayGroup<L>& rays) {
+  const std::uint32_t active = start(rays);
+  const Bundle<L> bundle(rays);
+  alignas(64) R t[RayGroup<L>::kRays];
+  for (std::size_t r = 0; r < kRegisters<L>; ++r) L::store(rays.ray[r].t, t + r * L::kWidth);
+  std::uint32_t left = active;
+  R farthest = farthest_of(rays);
   BundleStack<L> stack;
   stack.push({0, 0, 0, left});
   if (last.leaf != 0) stack.push({0, last.child, last.leaf, left});
   while (!stack.empty() && left != 0) {
     const BundleEntry<R> entry = stack.pop();
-    const std::uint32_t rays = entry.rays & left;
-    if (rays == 0) continue;
+    const std::uint32_t asking = entry.rays & left;
+    if (asking == 0) continue;
     if (entry.leaf == 0) {
-      bundle.push_children(scene.hierarchy.nodes[entry.child], rays, t, farthest, stack);
+      bundle.push_children(scene.hierarchy.nodes[entry.child], asking, t, farthest, stack);
       continue;
     }
-    const std::uint32_t blocked = blocked_in_leaf<L>(scene, bundle, entry, rays, ray, t);
+    const std::uint32_t blocked = blocked_in_leaf<L>(scene, bundle, entry, asking, rays, t);
     if (blocked == 0) continue;
     last = {entry.child, entry.leaf};
     left &= ~blocked;
-    ray.t = select(L::from_bits(blocked), F(-1), ray.t);
-    L::store(ray.t, t);
-    farthest = max_of(ray.t);
+    for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+      rays.ray[r].t = select(lanes_of<L>(blocked, r), typename L::F(-1), rays.ray[r].t);
+      L::store(rays.ray[r].t, t + r * L::kWidth);
+    }
+    farthest = farthest_of(rays);
   }
-  return but_not(wanted, L::from_bits(left));
+  return active & ~left;
 }
 
 /// The nearest hit of each active ray nearer than its t, by whichever structure the scene has.
 template <class L>
-ZRAKA_INLINE void find_nearest(const FrozenScene<typename L::Real>& scene, typename L::M active,
-                               RayLanes<L>& ray) {
-  if (scene.hierarchy.nodes == nullptr)
+ZRAKA_INLINE void find_nearest(const FrozenScene<typename L::Real>& scene, RayGroup<L>& rays) {
+  if (scene.hierarchy.nodes != nullptr) return nearest_in_hierarchy<L>(scene, rays);
+  for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+    if (!any(rays.active[r])) continue;
+    RayLanes<L> ray = rays.ray[r];  // a copy that nothing else can know of stays in registers
     nearest_in_list<L>(scene, ray);
-  else
-    nearest_in_hierarchy<L>(scene, active, ray);
+    rays.ray[r] = ray;
+  }
 }
 
-/// Which of the wanted rays meet anything nearer than their t, by whichever structure the scene
-/// has.
+/// Which of the active rays meet anything nearer than their t, a bit each, by whichever structure
+/// the scene has. Their t is lost.
 template <class L>
-ZRAKA_INLINE typename L::M find_blocked(const FrozenScene<typename L::Real>& scene,
-                                        typename L::M wanted, LastBlocker& last,
-                                        const RayLanes<L>& ray) {
-  if (scene.hierarchy.nodes == nullptr) return blocked_in_list<L>(scene, ray, wanted);
-  return blocked_in_hierarchy<L>(scene, wanted, last, ray);
+ZRAKA_INLINE std::uint32_t find_blocked(const FrozenScene<typename L::Real>& scene,
+                                        LastBlocker& last, RayGroup<L>& rays) {
+  if (scene.hierarchy.nodes != nullptr) return blocked_in_hierarchy<L>(scene, last, rays);
+  std::uint32_t blocked = 0;
+  for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+    if (!any(rays.active[r])) continue;
+    const RayLanes<L> ray = rays.ray[r];
+    blocked |= group_bits<L>(blocked_in_list<L>(scene, ray, rays.active[r]), r);
+  }
+  return blocked;
 }
 
 }  // namespace zraka::ZRAKA_ISA

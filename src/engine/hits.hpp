@@ -7,19 +7,11 @@
 
 #include "accel/traverse.hpp"
 #include "engine/engine.hpp"
+#include "engine/load_rays.hpp"
 #include "engine/places.hpp"
 #include "engine/rules.hpp"
 
 namespace zraka::ZRAKA_ISA {
-
-/// The rays [i, i + kWidth) of a level.
-template <class L, class R = typename L::Real>
-ZRAKA_INLINE RayLanes<L> load_rays(const RayArrays<R>& rays, std::size_t i) {
-  return {{L::load(rays.ox + i), L::load(rays.oy + i), L::load(rays.oz + i)},
-          {L::load(rays.dx + i), L::load(rays.dy + i), L::load(rays.dz + i)},
-          typename L::F(kFarAway<R>),
-          typename L::I(-1)};
-}
 
 /// Puts hits on the same primitive beside each other, and those on primitives that stand together
 /// in the hierarchy near each other: so do their feelers and children begin, and the lanes of a
@@ -55,21 +47,23 @@ void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scr
   const auto begin = static_cast<std::size_t>(level.done);
   const auto n = static_cast<std::size_t>(level.in_batch);
   std::size_t hits = 0;
-  for (std::size_t i = 0; i < n; i += L::kWidth) {
-    RayLanes<L> ray = load_rays<L>(level.rays, begin + i);
-    const auto active = L::first(n - i);
-    rules.template find_nearest<L>(scene, active, ray);
-    const auto met = both(ray.slot >= I(0), active);
-    L::store(ray.t, scratch.t + i);
-    L::store(ray.slot, scratch.slot + i);
-    L::store(F(scene.background.x), level.rays.r + begin + i);
-    L::store(F(scene.background.y), level.rays.g + begin + i);
-    L::store(F(scene.background.z), level.rays.b + begin + i);
-    L::compress_store(L::iota(static_cast<std::int32_t>(i)), met, level.hits.ray + hits);
-    hits += count(met);
+  for (std::size_t first = 0; first < n; first += RayGroup<L>::kRays) {
+    RayGroup<L> rays(first, n, [&](std::size_t i) { return load_rays<L>(level.rays, begin + i); });
+    rules.template find_nearest<L>(scene, rays);
+    each_register(rays, first, n, [&](std::size_t i, const RayLanes<L>& ray, typename L::M active) {
+      const auto met = both(ray.slot >= I(0), active);
+      L::store(ray.t, scratch.t + i);
+      L::store(ray.slot, scratch.slot + i);
+      L::store(F(scene.background.x), level.rays.r + begin + i);
+      L::store(F(scene.background.y), level.rays.g + begin + i);
+      L::store(F(scene.background.z), level.rays.b + begin + i);
+      L::compress_store(L::iota(static_cast<std::int32_t>(i)), met, level.hits.ray + hits);
+      hits += count(met);
+    });
   }
   level.hit_count = static_cast<std::int32_t>(hits);
-  if (L::kWidth > 1 && hits > L::kWidth) sort_hits(scratch, hits, level.hits.ray);
+  if (L::kWidth > 1 && hits > L::kWidth && scene.hierarchy.nodes != nullptr)
+    sort_hits(scratch, hits, level.hits.ray);
 }
 
 /// The surface of those lanes whose primitive is of this kind; others stay as they are.

@@ -5,6 +5,7 @@
 #include "accel/traverse.hpp"
 #include "engine/camera_rays.hpp"
 #include "engine/engine.hpp"
+#include "engine/load_rays.hpp"
 #include "engine/places.hpp"
 #include "engine/record.hpp"
 #include "engine/rules.hpp"
@@ -97,14 +98,14 @@ template <class L, class R = typename L::Real>
 void trace_feelers(const FrozenScene<R>& scene, std::size_t feelers, Scratch<R>& scratch) {
   using F = typename L::F;
   LastBlocker last;
-  for (std::size_t i = 0; i < feelers; i += L::kWidth) {
-    const RayLanes<L> ray{
-        {L::load(scratch.fox + i), L::load(scratch.foy + i), L::load(scratch.foz + i)},
-        {L::load(scratch.fdx + i), L::load(scratch.fdy + i), L::load(scratch.fdz + i)},
-        L::load(scratch.fdistance + i),
-        typename L::I(-1)};
-    const auto blocked = find_blocked<L>(scene, L::first(feelers - i), last, ray);
-    if (any(blocked)) Places<L>(L::load(scratch.feeler_hit + i)).store(F(0), blocked, scratch.lit);
+  for (std::size_t first = 0; first < feelers; first += RayGroup<L>::kRays) {
+    RayGroup<L> rays = group_of_feelers<L>(scratch, first, feelers);
+    const std::uint32_t blocked = find_blocked<L>(scene, last, rays);
+    if (blocked == 0) continue;
+    for (std::size_t r = 0; r < kRegisters<L>; ++r)
+      if (const auto lanes = lanes_of<L>(blocked, r); any(lanes))
+        Places<L>(L::load(scratch.feeler_hit + first + r * L::kWidth))
+            .store(F(0), lanes, scratch.lit);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <zraka/mistakes.hpp>
 
 #include "accel/flat_list.hpp"
+#include "engine/load_rays.hpp"
 #include "engine/places.hpp"
 #include "engine/rules.hpp"
 
@@ -16,17 +17,19 @@ struct MistakenRules : Rules {
   float unit = 1;  ///< length of the engine's unit in the scene's
   ZRAKA_INLINE bool is(Mistake other) const { return mistake == other; }
 
-  template <class L, class Scene, class M>
-  void find_nearest(const Scene& scene, M active, RayLanes<L>& ray) const {
-    if (!is(Mistake::first_hit)) return Rules::find_nearest<L>(scene, active, ray);
+  template <class L, class Scene>
+  void find_nearest(const Scene& scene, RayGroup<L>& rays) const {
+    if (!is(Mistake::first_hit)) return Rules::find_nearest<L>(scene, rays);
     // The first in the order of the file.
-    alignas(64) std::int32_t first[L::kWidth];
-    for (std::size_t i = 0; i < L::kWidth; ++i) first[i] = -1;
-    RayLanes<L> met = ray;
+    for (RayLanes<L>& ray : rays.ray) {
+      alignas(64) std::int32_t first[L::kWidth];
+      for (std::size_t i = 0; i < L::kWidth; ++i) first[i] = -1;
+      RayLanes<L> met = ray;
 #define ZRAKA_FIRST(Type, plural) first_of<L>(scene, scene.plural, ray, met, first);
-    ZRAKA_KINDS(ZRAKA_FIRST)
+      ZRAKA_KINDS(ZRAKA_FIRST)
 #undef ZRAKA_FIRST
-    ray = met;
+      ray = met;
+    }
   }
 
   template <class F, class M>
@@ -105,19 +108,18 @@ struct MistakenRules : Rules {
   void after_feelers(const FrozenScene<R>& scene, std::size_t feelers, Scratch<R>& scratch) const {
     if (!is(Mistake::feeler_overwrites)) return;
     using F = typename L::F;
-    for (std::size_t i = 0; i < feelers; i += L::kWidth) {
-      const V3<F> origin{L::load(scratch.fox + i), L::load(scratch.foy + i),
-                         L::load(scratch.foz + i)};
-      const V3<F> direction{L::load(scratch.fdx + i), L::load(scratch.fdy + i),
-                            L::load(scratch.fdz + i)};
-      RayLanes<L> ray{origin, direction, L::load(scratch.fdistance + i), typename L::I(-1)};
-      ZRAKA_ISA::find_nearest<L>(scene, L::first(feelers - i), ray);
-      const V3<F> met = origin + direction * ray.t;
-      const Places<L> hit(L::load(scratch.feeler_hit + i));
-      const auto blocked = both(ray.slot >= typename L::I(0), L::first(feelers - i));
-      hit.store(met.x, blocked, scratch.px);
-      hit.store(met.y, blocked, scratch.py);
-      hit.store(met.z, blocked, scratch.pz);
+    for (std::size_t first = 0; first < feelers; first += RayGroup<L>::kRays) {
+      RayGroup<L> rays = group_of_feelers<L>(scratch, first, feelers);
+      ZRAKA_ISA::find_nearest<L>(scene, rays);
+      each_register(rays, first, feelers,
+                    [&](std::size_t i, const RayLanes<L>& ray, typename L::M active) {
+                      const V3<F> met = ray.origin + ray.direction * ray.t;
+                      const Places<L> hit(L::load(scratch.feeler_hit + i));
+                      const auto blocked = both(ray.slot >= typename L::I(0), active);
+                      hit.store(met.x, blocked, scratch.px);
+                      hit.store(met.y, blocked, scratch.py);
+                      hit.store(met.z, blocked, scratch.pz);
+                    });
     }
   }
   ZRAKA_INLINE bool looks_into_shadows() const {

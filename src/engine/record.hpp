@@ -5,6 +5,7 @@
 
 #include "accel/traverse.hpp"
 #include "engine/engine.hpp"
+#include "engine/load_rays.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -48,15 +49,13 @@ class Record {
   /// A feeler stops at any shape; who wants an explanation wants the one nearest to the hit.
   void light(const FrozenScene<R>& scene, std::int32_t light, std::size_t feelers,
              const Level<R>& level, const Scratch<R>& scratch) const {
-    for (std::size_t i = 0; i < feelers; i += L::kWidth) {
-      RayLanes<L> ray{
-          {L::load(scratch.fox + i), L::load(scratch.foy + i), L::load(scratch.foz + i)},
-          {L::load(scratch.fdx + i), L::load(scratch.fdy + i), L::load(scratch.fdz + i)},
-          L::load(scratch.fdistance + i),
-          typename L::I(-1)};
-      find_nearest<L>(scene, L::first(feelers - i), ray);
-      L::store(ray.t, to_.blocker_t + i);
-      L::store(ray.slot, to_.blocker + i);
+    for (std::size_t first = 0; first < feelers; first += RayGroup<L>::kRays) {
+      RayGroup<L> rays = group_of_feelers<L>(scratch, first, feelers);
+      find_nearest<L>(scene, rays);
+      each_register(rays, first, feelers, [&](std::size_t i, const RayLanes<L>& ray, auto) {
+        L::store(ray.t, to_.blocker_t + i);
+        L::store(ray.slot, to_.blocker + i);
+      });
     }
     to_.at_light(to_.reader, light, feelers, level, scratch);
   }

@@ -12,9 +12,9 @@ namespace zraka::ZRAKA_ISA {
 
 struct Rules {
   /// Sheet 3.3: the nearest hit of each active ray.
-  template <class L, class Scene, class M>
-  ZRAKA_INLINE void find_nearest(const Scene& scene, M active, RayLanes<L>& ray) const {
-    ZRAKA_ISA::find_nearest<L>(scene, active, ray);
+  template <class L, class Scene>
+  ZRAKA_INLINE void find_nearest(const Scene& scene, RayGroup<L>& rays) const {
+    ZRAKA_ISA::find_nearest<L>(scene, rays);
   }
   /// Sheet 3.7: the normal on the side that the ray comes from.
   template <class F, class M>

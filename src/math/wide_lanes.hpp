@@ -4,8 +4,6 @@
 
 #include <hwy/highway.h>
 
-#include <type_traits>
-
 namespace zraka::ZRAKA_ISA {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -212,34 +210,6 @@ ZRAKA_INLINE void pack(Tag tag, hn::Vec<Tag> v, hn::Mask<Tag> m, std::uint32_t m
     hn::CompressStore(v, m, tag, p);
   }
 }
-
-#ifdef __AVX2__
-template <class Tag, class T>
-ZRAKA_INLINE hn::Vec<Tag> one_by_one(Tag tag, const T* base, const std::int32_t* at) {
-  if constexpr (hn::MaxLanes(Tag()) > 4) {
-    const hn::Half<Tag> half;
-    return hn::Combine(tag, one_by_one(half, base, at + hn::MaxLanes(half)),
-                       one_by_one(half, base, at));
-  } else if constexpr (std::is_same_v<T, float>) {
-    return hn::Vec<Tag>{_mm_setr_ps(base[at[0]], base[at[1]], base[at[2]], base[at[3]])};
-  } else {
-    return hn::Vec<Tag>{_mm_setr_epi32(base[at[0]], base[at[1]], base[at[2]], base[at[3]])};
-  }
-}
-/// By loads of single numbers: sixteen of them take 27 cycles where the processor's own gather
-/// takes 43 (Cascade Lake, with its microcode against leaks).
-template <class Tag, class T>
-ZRAKA_INLINE hn::Vec<Tag> gather(Tag tag, const T* base, hn::Vec<Di> index) {
-  alignas(64) std::int32_t at[HWY_LANES(float)];
-  hn::Store(index, di, at);
-  return one_by_one(tag, base, at);
-}
-#else
-template <class Tag, class T>
-ZRAKA_INLINE hn::Vec<Tag> gather(Tag tag, const T* base, hn::Vec<Di> index) {
-  return hn::GatherIndex(tag, base, index);
-}
-#endif
 }  // namespace wide
 
 struct WideLanes {
@@ -255,10 +225,10 @@ struct WideLanes {
   static ZRAKA_INLINE void store(F v, float* p) { hn::StoreU(v.v, wide::d, p); }
   static ZRAKA_INLINE void store(I v, std::int32_t* p) { hn::StoreU(v.v, wide::di, p); }
   static ZRAKA_INLINE F gather(const float* base, I index) {
-    return wide::gather(wide::d, base, index.v);
+    return hn::GatherIndex(wide::d, base, index.v);
   }
   static ZRAKA_INLINE I gather(const std::int32_t* base, I index) {
-    return wide::gather(wide::di, base, index.v);
+    return hn::GatherIndex(wide::di, base, index.v);
   }
   static ZRAKA_INLINE void scatter(F v, M m, float* base, I index) {
     alignas(64) float values[kWidth];
