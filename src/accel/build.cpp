@@ -20,6 +20,8 @@ namespace {
 /// thin shapes apart from each other, but not neighbours of a mesh.
 constexpr std::size_t kSmallLeaf = 4;
 constexpr float kWorthwhile = 0.5F;
+/// Scenes from this size on take longer to build than to render: there such ranges stay whole.
+constexpr std::size_t kLargeScene = std::size_t{1} << 20;
 /// Ranges up to this size are leaves rather than nodes of their own; a vector of shapes costs
 /// hardly more than one.
 constexpr std::size_t kLargeLeaf = 12;
@@ -53,7 +55,9 @@ class NodePool {
 class Builder {
  public:
   Builder(BuildRef* refs, const std::vector<std::int32_t>& kind_starts)
-      : refs_(refs), kind_starts_(kind_starts) {}
+      : refs_(refs),
+        kind_starts_(kind_starts),
+        large_scene_(static_cast<std::size_t>(kind_starts.back()) >= kLargeScene) {}
 
   /// The node of a range, its children before it; a leaf's child is its first reference's place.
   std::int32_t build_node(Range whole, int depth);
@@ -85,6 +89,7 @@ class Builder {
 
   BuildRef* refs_;
   const std::vector<std::int32_t>& kind_starts_;
+  const bool large_scene_;
   NodePool pool_;
 };
 
@@ -97,6 +102,7 @@ void Builder::split_greedily(std::vector<Range>& ranges, int depth) const {
     for (std::size_t i = 0; i < ranges.size(); ++i) {
       const Range& range = ranges[i];
       if (range.size() < 2 || (whole >> i & 1) != 0) continue;
+      if (large_scene_ && can_be_leaf(range, kSmallLeaf)) continue;
       const float cost = depth < kFreeDepth ? range.cost() : static_cast<float>(range.size());
       if (best == ranges.size() || cost > most) most = cost, best = i;
     }
