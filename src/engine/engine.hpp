@@ -72,7 +72,8 @@ struct Scratch {
   R* offset;           ///< how far along the normal the next rays start
   R* inside;           ///< 1 where the ray met the surface from inside, else 0
   std::int32_t* material;
-  R* lit;  ///< 1 where the light at hand reaches the hit, else 0
+  R *lx, *ly, *lz;  ///< unit direction to the light at hand
+  R* lit;           ///< 1 where the light at hand reaches the hit, else 0
   R *fox, *foy, *foz, *fdx, *fdy, *fdz, *fdistance;  ///< by feeler
   std::int32_t* feeler_hit;
 };

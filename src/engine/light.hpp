@@ -79,6 +79,9 @@ std::size_t make_feelers(const FrozenLight<R>& light, std::size_t n, Scratch<R>&
     record.keep(Term::light_distance, h, light_way.distance);
     record.keep(Term::l_n, h, l_n);
     const F offset = L::load(scratch.offset + h);
+    L::store(light_way.direction.x, scratch.lx + h);
+    L::store(light_way.direction.y, scratch.ly + h);
+    L::store(light_way.direction.z, scratch.lz + h);
     L::store(select(facing, F(1), F(0)), scratch.lit + h);
     L::compress_store(L::load(scratch.px + h) + normal.x * offset, facing, scratch.fox + feelers);
     L::compress_store(L::load(scratch.py + h) + normal.y * offset, facing, scratch.foy + feelers);
@@ -123,7 +126,7 @@ void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const T
     if (!any(lit) && !rules.looks_into_shadows()) continue;
     const auto material = load_materials<L>(scene.materials, scratch, h, n);
     const V3<F> normal = load_normal<L>(scratch, h);
-    const V3<F> l = towards<L>(light, scratch, h, rules).direction;
+    const V3<F> l{L::load(scratch.lx + h), L::load(scratch.ly + h), L::load(scratch.lz + h)};
     const F l_n = dot(l, normal);
     const auto blocked = but_not(both(rules.faces(l_n), exists), lit);
     V3<F> sum = rules.local_in_shadow(
@@ -135,7 +138,9 @@ void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const T
       const V3<F> more = sum + diffuse;
       sum = {select(lit, more.x, sum.x), select(lit, more.y, sum.y), select(lit, more.z, sum.z)};
     }
-    if (terms.specular) {
+    const V3<F> ks = material.color(kSpecular);
+    const auto dull = both(ks.x == F(0), both(ks.y == F(0), ks.z == F(0)));
+    if (terms.specular && (Recorder::kKeeps || !all(dull))) {
       const V3<F> v{L::load(scratch.vx + h), L::load(scratch.vy + h), L::load(scratch.vz + h)};
       const V3<F> r = rules.mirrored(l, normal, l_n);
       const F r_v = rules.r_v(r, v, l, normal, [&] {
@@ -148,12 +153,13 @@ void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const T
       record.keep(Term::shines, h, select(shines, F(1), F(0)));
       if (any(shines)) {
         const F highlight = rules.highlight(r_v, material[kShininess]);
-        const V3<F> specular = intensity * material.color(kSpecular) * highlight;
+        const V3<F> specular = intensity * ks * highlight;
         record.keep(Term::highlight, h, highlight);
         record.keep(Term::specular, h, specular);
         const V3<F> more = sum + specular;
-        sum = {select(shines, more.x, sum.x), select(shines, more.y, sum.y),
-               select(shines, more.z, sum.z)};
+        const auto adds = but_not(shines, dull);
+        sum = {select(adds, more.x, sum.x), select(adds, more.y, sum.y),
+               select(adds, more.z, sum.z)};
       }
     }
     L::store(sum.x, level.hits.r + h);

@@ -10,6 +10,7 @@
 namespace zraka::ZRAKA_ISA {
 
 struct NoRecord {
+  static constexpr bool kKeeps = false;
   template <class Value>
   ZRAKA_INLINE void keep(Term, std::size_t, const Value&) const {}
   template <class... Arrays>
@@ -28,6 +29,7 @@ class Record {
  public:
   using R = typename L::Real;
   using F = typename L::F;
+  static constexpr bool kKeeps = true;
 
   explicit Record(Recording<R>& recording) : to_(recording) {}
 

@@ -31,7 +31,7 @@ template <class R>
 void place_all(Layout& layout, Level<R>* levels, int level_count, Scratch<R>& s,
                std::size_t batch) {
   layout.place(batch, s.t, s.px, s.py, s.pz, s.nx, s.ny, s.nz, s.vx, s.vy, s.vz, s.offset, s.inside,
-               s.lit);
+               s.lx, s.ly, s.lz, s.lit);
   layout.place(batch, s.fox, s.foy, s.foz, s.fdx, s.fdy, s.fdz, s.fdistance);
   layout.place(batch, s.slot, s.material, s.feeler_hit);
   for (int i = 0; i < level_count; ++i) {
