@@ -284,10 +284,13 @@ std::vector<std::int32_t> kind_starts_of(const FrozenScene<R>& scene) {
 template <class R>
 void refer_to(const FrozenScene<R>& scene, BuildRef* refs) {
   // Intersections err by a few units in the last place of the numbers that they are made of:
-  // coordinates in the scene, at most 1 in this frame, and the eye's.
+  // coordinates in the scene, at most 1 in this frame, and the eye's. A third of the margin is
+  // theirs (hit_margin()), the rest is more than rounding in the test of a box takes. It is less
+  // than what feelers from a large flat shape start off its surface, so that they leave its box at
+  // once.
   const V3<R>& eye = scene.camera.eye;
   const double margin =
-      0x1p-20 *
+      0x3p-22 *
       (1 + static_cast<double>(std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)})));
   const auto refer = [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
     using Traits = ShapeTraits<Shape>;

@@ -38,8 +38,8 @@ namespace ZRAKA_ISA {
 template <class Shape, class L>
 struct ShapeLanes;
 
-/// How far beyond a shape's exact surface its arithmetic may put a hit: a quarter of what the boxes
-/// of the hierarchy are enlarged by (references_to() in scene/freeze.cpp), for rays from the eye as
+/// How far beyond a shape's exact surface its arithmetic may put a hit: a third of what the boxes
+/// of the hierarchy are enlarged by (refer_to() in scene/freeze.cpp), for rays from the eye as
 /// for those from within the scene.
 template <class L>
 ZRAKA_INLINE typename L::F hit_margin(const V3<typename L::F>& origin) {

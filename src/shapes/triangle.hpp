@@ -96,7 +96,12 @@ struct TriangleLanes {
     const F u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
     const auto met = either(min(u, min(v, w)) >= F(0.0f), max(u, max(v, w)) <= F(0.0f));
     if (!any(met)) return F(-1.0f);
-    const F t = (u * a.z + v * b.z + w * c.z) / ((u + v + w) * d.z);
+    const F above = u * a.z + v * b.z + w * c.z, below = (u + v + w) * d.z;
+    // Rays that start on a face, as feelers do, have its plane behind them.
+    const auto ahead =
+        either(both(above > F(0.0f), below > F(0.0f)), both(above < F(0.0f), below < F(0.0f)));
+    if (!any(both(met, ahead))) return F(-1.0f);
+    const F t = above / below;
     // Seen edge-on all of this is noise; what counts as a hit must lie within the triangle's
     // bounds, for only then does every way through the hierarchy find it.
     const F margin = hit_margin<L>(origin);
