@@ -34,8 +34,8 @@ std::optional<std::vector<std::unique_ptr<Listener>>> listen_to_tiles(const Reso
                                                                       const RenderOptions& options,
                                                                       const Make& make,
                                                                       const Read& read) {
-  const int tile = options.tile == 0 ? kDefaultTile : options.tile;
   const int threads = options.threads == 0 ? tbb::info::default_concurrency() : options.threads;
+  const int tile = options.tile == 0 ? chosen_tile(size.width, size.height, threads) : options.tile;
   const std::int32_t side = tile + (options.profile.average_corners ? 1 : 0);
   tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                             static_cast<std::size_t>(threads));

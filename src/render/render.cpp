@@ -91,9 +91,10 @@ Result<Rendering> render_right_or_wrong(SceneRef&& scene, const RenderOptions& o
   if (*isa == Isa::oracle && options.mistake != Mistake::none)
     return failure("", "the oracle makes no mistakes", "ask for avx512, avx2 or portable");
 
-  const int tile = options.tile == 0 ? kDefaultTile : options.tile;
   const int threads = options.threads == 0 ? tbb::info::default_concurrency() : options.threads;
   const Resolution resolution = scene.resolution;
+  const int tile =
+      options.tile == 0 ? chosen_tile(resolution.width, resolution.height, threads) : options.tile;
   const std::uint64_t shapes = scene.shape_count();
   tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                             static_cast<std::size_t>(threads));

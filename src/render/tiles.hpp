@@ -15,8 +15,15 @@
 
 namespace zraka {
 
-/// Small enough for the arrays of a tile's trees to stay in the second-level cache.
-inline constexpr int kDefaultTile = 32;
+/// Side of a picture's tiles where none is asked for: the larger a tile, the more of its rays find
+/// company on their way; small enough for the arrays of its trees to stay in the second-level
+/// cache, and for every thread to have some.
+inline int chosen_tile(std::uint32_t width, std::uint32_t height, int threads) {
+  constexpr int kLarge = 48, kSmall = 32;
+  constexpr std::uint64_t kTilesPerThread = 16;
+  const std::uint64_t tiles = std::uint64_t{width} * height / (kLarge * kLarge);
+  return tiles >= kTilesPerThread * static_cast<std::uint64_t>(threads) ? kLarge : kSmall;
+}
 
 /// Calls work(tile) for each tile of a picture, on so many threads of oneTBB. False if `cancel` was
 /// set on the way.
