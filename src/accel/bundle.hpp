@@ -21,8 +21,7 @@ using BundleStack = Stack<BundleEntry<typename L::Real>>;
 /// 1/d with a large number for 1/0; boxes are larger than what that errs.
 template <class F>
 ZRAKA_INLINE F slab_inverse(F d) {
-  const F tiny(0x1p-60f);
-  return F(1) / select(abs(d) < tiny, select(d < F(0), -tiny, tiny), d);
+  return F(1) / copy_sign(max(abs(d), F(0x1p-60f)), d);
 }
 
 /// A group of rays in lanes, each for itself in memory besides, and what bounds all of them.
@@ -32,10 +31,10 @@ class Bundle {
   using R = typename L::Real;
   using F = typename L::F;
 
-  ZRAKA_INLINE explicit Bundle(const RayGroup<L>& rays)
-      : x_(rays, &V3<F>::x),
-        y_(rays, &V3<F>::y),
-        z_(rays, &V3<F>::z),
+  ZRAKA_INLINE Bundle(const RayGroup<L>& rays, bool all_active)
+      : x_(rays, all_active, &V3<F>::x),
+        y_(rays, all_active, &V3<F>::y),
+        z_(rays, all_active, &V3<F>::z),
         coherent_(x_.same_side && y_.same_side && z_.same_side) {
     for (std::size_t r = 0; r < kRegisters<L>; ++r) {
       const V3<F>&o = rays.ray[r].origin, &d = rays.ray[r].direction;
@@ -91,16 +90,17 @@ class Bundle {
     F i_lower, i_upper;                               // bounds of the magnitudes of 1/direction
     bool back, same_side;
 
-    ZRAKA_INLINE Axis(const RayGroup<L>& rays, F V3<F>::* axis) {
+    ZRAKA_INLINE Axis(const RayGroup<L>& rays, bool all_active, F V3<F>::* axis) {
       const F far(kFarAway<R>);
       F bounds[4] = {far, far, far, far};
       for (std::size_t r = 0; r < kRegisters<L>; ++r) {
         const F o = rays.ray[r].origin.*axis;
         inverse[r] = slab_inverse(rays.ray[r].direction.*axis);
         scaled[r] = o * inverse[r];
-        const F candidates[4] = {inverse[r], -inverse[r], o, -o};
-        for (std::size_t i = 0; i < 4; ++i)
-          bounds[i] = select(rays.active[r], min(bounds[i], candidates[i]), bounds[i]);
+        F candidates[4] = {inverse[r], -inverse[r], o, -o};
+        if (!all_active)
+          for (F& c : candidates) c = select(rays.active[r], c, far);
+        for (std::size_t i = 0; i < 4; ++i) bounds[i] = min(bounds[i], candidates[i]);
       }
       R least[4];
       min_of_each(bounds[0], bounds[1], bounds[2], bounds[3], least);

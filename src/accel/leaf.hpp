@@ -9,7 +9,7 @@ namespace zraka::ZRAKA_ISA {
 
 /// Parts of Node::leaf.
 ZRAKA_INLINE std::int32_t leaf_count(std::int32_t leaf) {
-  return leaf % (2 * kNodeWidth);
+  return leaf & (2 * kNodeWidth - 1);
 }
 ZRAKA_INLINE std::int32_t leaf_kind(std::int32_t leaf) {
   return leaf / (2 * kNodeWidth);

@@ -29,6 +29,8 @@ inline constexpr std::size_t kRegisters = L::kWidth >= 8 ? 32 / L::kWidth : 1;
 template <class L>
 struct RayGroup {
   static constexpr std::size_t kRays = kRegisters<L> * L::kWidth;
+  static constexpr std::uint32_t kAll =
+      static_cast<std::uint32_t>((std::uint64_t{1} << kRays) - 1);  ///< a bit each
   RayLanes<L> ray[kRegisters<L>];
   typename L::M active[kRegisters<L>];
 

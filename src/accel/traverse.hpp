@@ -33,7 +33,7 @@ ZRAKA_INLINE typename L::Real farthest_of(const RayGroup<L>& rays) {
 template <class L, class R = typename L::Real>
 void nearest_in_hierarchy(const FrozenScene<R>& scene, RayGroup<L>& rays) {
   const std::uint32_t active = start(rays);
-  const Bundle<L> bundle(rays);
+  const Bundle<L> bundle(rays, active == RayGroup<L>::kAll);
   Nearest<L> nearest;
   for (std::size_t r = 0; r < kRegisters<L>; ++r) nearest.take(rays.ray[r], r);
   R farthest = farthest_of(rays);
@@ -64,7 +64,7 @@ template <class L, class R = typename L::Real>
 std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& last,
                                    RayGroup<L>& rays) {
   const std::uint32_t active = start(rays);
-  const Bundle<L> bundle(rays);
+  const Bundle<L> bundle(rays, active == RayGroup<L>::kAll);
   alignas(64) R t[RayGroup<L>::kRays];
   for (std::size_t r = 0; r < kRegisters<L>; ++r) L::store(rays.ray[r].t, t + r * L::kWidth);
   std::uint32_t left = active;

@@ -103,6 +103,9 @@ ZRAKA_INLINE double max(double a, double b) {
 ZRAKA_INLINE double roughly_mul_sub(double a, double b, double c) {
   return a * b - c;
 }
+ZRAKA_INLINE double copy_sign(double magnitude, double sign) {
+  return __builtin_copysign(magnitude, sign);
+}
 ZRAKA_INLINE double abs(double a) {
   return __builtin_fabs(a);
 }

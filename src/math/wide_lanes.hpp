@@ -164,6 +164,9 @@ ZRAKA_INLINE FloatLanes max(FloatLanes a, FloatLanes b) {
 ZRAKA_INLINE FloatLanes roughly_mul_sub(FloatLanes a, FloatLanes b, FloatLanes c) {
   return hn::MulSub(a.v, b.v, c.v);
 }
+ZRAKA_INLINE FloatLanes copy_sign(FloatLanes magnitude, FloatLanes sign) {
+  return hn::CopySign(magnitude.v, sign.v);
+}
 ZRAKA_INLINE FloatLanes abs(FloatLanes a) {
   return hn::Abs(a.v);
 }
@@ -231,6 +234,9 @@ struct WideLanes {
     return hn::GatherIndex(wide::di, base, index.v);
   }
   static ZRAKA_INLINE void scatter(F v, M m, float* base, I index) {
+#if HWY_TARGET <= HWY_AVX3  // Highway 1.0 has no masked scatter
+    _mm512_mask_i32scatter_ps(base, m.v.raw, index.v.raw, v.v.raw, sizeof(float));
+#else
     alignas(64) float values[kWidth];
     alignas(64) std::int32_t indices[kWidth];
     hn::Store(v.v, wide::d, values);
@@ -238,6 +244,7 @@ struct WideLanes {
               wide::di, indices);
     for (std::size_t i = 0; i < kWidth; ++i)
       if (indices[i] >= 0) base[indices[i]] = values[i];
+#endif
   }
   /// May write up to kWidth values, of which the first count(m) are meant.
   static ZRAKA_INLINE void compress_store(F v, M m, float* p) {
