@@ -270,6 +270,27 @@ TEST(Hierarchy, SplitsLeavesWhereThatHalvesWhatRaysMeet) {
   EXPECT_EQ(leaves_of(std::move(quads)), std::vector<int>(6, 2)) << "halves of a quad: together";
 }
 
+TEST(Hierarchy, LetsChildrenOfAFloorOutOfItsBox) {
+  // A mirror that is large beside the eye's distance from it.
+  Scene scene = lab_scene(60);
+  scene.materials = {{.reflection = 0.5}};
+  const Vec3 a{-30, -30, -1}, b{30, -30, -1}, c{30, 30, -1}, d{-30, 30, -1};
+  scene.triangles = {{{a, b, c}, 0}, {{a, c, d}, 0}};
+  const Frame frame = frame_of(scene);
+  const auto store = freeze<float>(scene, profile_of(ProfileName::lab), frame);
+  BuildRefs refs = references_to(store->scene);
+  ASSERT_EQ(refs.size(), 2u);
+  for (const std::uint32_t x : {0u, 17u, 30u, 59u})
+    for (const std::uint32_t y : {0u, 23u, 30u, 59u}) {
+      const Explanation seen =
+          explain(scene, {.profile = profile_of(ProfileName::lab)}, x, y).value();
+      const std::vector<ExplainedRay>& rays = seen.trees[0].rays;
+      ASSERT_EQ(rays.size(), 2u) << "the mirror and the sky, at " << x << ", " << y;
+      EXPECT_GT(frame.point(rays[1].origin).z, static_cast<double>(refs[0].upper[2]))
+          << "a reflected ray would meet the floor's triangles again, from " << x << ", " << y;
+    }
+}
+
 TEST(Hierarchy, IsTheSameFromAnyNumberOfThreads) {
   const Scene scene = everything(20000, 0.05);
   const auto store = freeze<float>(scene, profile_of(ProfileName::physical), frame_of(scene));
