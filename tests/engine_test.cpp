@@ -266,11 +266,11 @@ TEST(Render, CountsRaysOfEachKind) {
 }
 
 TEST(Render, BoundsItsMemoryHoweverTreesBranch) {
-  // Glass and mirrors everywhere: over 2^12 rays a pixel, more than a level holds at once.
+  // Glass and mirrors everywhere: thousands of rays a pixel, more than a level holds at once.
   Scene scene = tangled_scene(8);
   for (Material& m : scene.materials) m.reflection = m.refraction = 0.5;
   RenderOptions options = lab();
-  options.max_depth = 20;
+  options.max_depth = 16;
   const Rendering all = render(scene, options).value();
   options.tile = 1;
   const Rendering single = render(scene, options).value();
