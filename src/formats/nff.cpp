@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <memory>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "core/handover.hpp"
 #include "core/text.hpp"
@@ -106,6 +109,9 @@ Result<ReadScene> parse_nff_by_blocks(std::string_view text, const std::string& 
                          tbb::make_filter<Token, Token>(filter_mode::parallel, read) &
                          tbb::make_filter<Token, void>(filter_mode::serial_in_order, put_together));
   joining.take();
+#ifdef __GLIBC__
+  malloc_trim(0);  // else the blocks' memory waits on the heap while the hierarchy needs it
+#endif
   return whole.finish();
 }
 
