@@ -211,65 +211,6 @@ TEST(Hierarchy, TakesTheFirstOfManyEqualShapes) {
   }
 }
 
-TEST(Hierarchy, IsBuiltFromAMillionEqualSpheres) {
-#ifdef ZRAKA_SANITIZED
-  constexpr std::int32_t kCount = 100000;
-#else
-  constexpr std::int32_t kCount = 1000000;
-#endif
-  BuildRefs refs(kCount);
-  for (std::size_t i = 0; i < refs.size(); ++i)
-    refs[i] = {{-1, -1, -1}, {1, 1, 1}, static_cast<std::int32_t>(i)};
-  std::vector<std::int32_t> order = build_hierarchy(std::move(refs), {0, kCount}).order;
-  std::sort(order.begin(), order.end());
-  ASSERT_EQ(order.size(), static_cast<std::size_t>(kCount));
-  for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], static_cast<std::int32_t>(i));
-}
-
-TEST(Hierarchy, StaysFlatEnoughForItsStack) {
-  // Every shape half as large as the one before and beside it: each cut takes off only a few.
-  BuildRefs refs(20000);
-  for (std::size_t i = 0; i < refs.size(); ++i) {
-    const float at = std::ldexp(1.0f, -static_cast<int>(i % 140)),
-                size = at * (1 + 1e-6f * static_cast<float>(i));
-    refs[i] = {{at, 0, 0}, {at + size, size, size}, static_cast<std::int32_t>(i)};
-  }
-  const BuiltHierarchy built = build_hierarchy(std::move(refs), {0, 20000});
-  std::vector<std::pair<std::int32_t, int>> open = {{0, 1}};
-  int deepest = 0;
-  while (!open.empty()) {
-    const auto [at, depth] = open.back();
-    open.pop_back();
-    deepest = std::max(deepest, depth);
-    const Node& node = built.nodes[static_cast<std::size_t>(at)];
-    for (std::size_t i = 0; i < kNodeWidth; ++i)
-      if (node.leaf[i] == 0 && node.lower_x[i] <= node.upper_x[i])
-        open.push_back({node.child[i], depth + 1});
-  }
-  EXPECT_LE(deepest, kMaxNodeDepth);
-}
-
-/// How many primitives each leaf below the root of so many boxes has.
-std::vector<int> leaves_of(BuildRefs refs) {
-  const auto count = static_cast<std::int32_t>(refs.size());
-  const BuiltHierarchy built = build_hierarchy(std::move(refs), {0, count});
-  std::vector<int> counts;
-  for (const std::int32_t leaf : built.nodes[0].leaf)
-    if (leaf != kNoChild) counts.push_back(leaf % (2 * kNodeWidth));
-  return counts;
-}
-
-TEST(Hierarchy, SplitsLeavesWhereThatHalvesWhatRaysMeet) {
-  BuildRefs posts(12), quads(12);
-  for (std::int32_t i = 0; i < 12; ++i) {
-    const auto x = static_cast<float>(i), pair = static_cast<float>(i / 2 * 2);
-    posts[static_cast<std::size_t>(i)] = {{x, 0, 0}, {x + 0.1f, 9, 0.1f}, i};
-    quads[static_cast<std::size_t>(i)] = {{pair, 0, 0}, {pair + 1, 1, 0.1f}, i};
-  }
-  EXPECT_EQ(leaves_of(std::move(posts)), std::vector<int>(12, 1)) << "thin ones apart: alone";
-  EXPECT_EQ(leaves_of(std::move(quads)), std::vector<int>(6, 2)) << "halves of a quad: together";
-}
-
 TEST(Hierarchy, LetsChildrenOfAFloorOutOfItsBox) {
   // A mirror that is large beside the eye's distance from it.
   Scene scene = lab_scene(60);

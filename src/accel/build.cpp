@@ -10,26 +10,22 @@
 #include <new>
 #include <utility>
 
+#include "accel/collapse.hpp"
 #include "accel/grid.hpp"
 #include "core/handover.hpp"
 
 namespace zraka {
 namespace {
 
-/// Ranges up to this size are split further only where that shrinks what rays meet to kWorthwhile:
-/// thin shapes apart from each other, but not neighbours of a mesh.
-constexpr std::size_t kSmallLeaf = 4;
-constexpr float kWorthwhile = 0.5F;
-/// Scenes from this size on take longer to build than to render: there such ranges stay whole.
+/// Scenes from this size on take longer to build than to render, and memory: there small leaves
+/// stay whole, and nodes are few.
 constexpr std::size_t kLargeScene = std::size_t{1} << 20;
-/// Ranges up to this size are leaves rather than nodes of their own; a vector of shapes costs
-/// hardly more than one. In large scenes they may fill a leaf, which saves a quarter of the nodes.
-constexpr std::size_t kLargeLeaf = 12;
+constexpr CollapseRules kRules = {1, 12, 2}, kRulesOfLargeScenes = {8, kNodeWidth, 8};
 /// Ranges from this size on are cut into sixteen at once.
 constexpr std::size_t kGridSize = 16384;
-/// Below this many levels of nodes ranges are halved, whatever the heuristic says: that bounds the
-/// traversal's stack.
-constexpr int kFreeDepth = kMaxNodeDepth - 16;
+/// Below this many levels of nodes such ranges are cut by numbers, whatever the heuristic says:
+/// that bounds the traversal's stack, with five levels for 2^31 shapes and sixteen for kGridSize.
+constexpr int kFreeDepth = kMaxNodeDepth - 21;
 
 /// Nodes from many threads, before they have their places.
 class NodePool {
@@ -52,119 +48,130 @@ class NodePool {
   std::size_t size_ = 0;
 };
 
+void set_box(Node& node, std::size_t i, const Bounds& bounds) {
+  node.lower_x[i] = bounds.lower[0], node.lower_y[i] = bounds.lower[1],
+  node.lower_z[i] = bounds.lower[2];
+  node.upper_x[i] = bounds.upper[0], node.upper_y[i] = bounds.upper[1],
+  node.upper_z[i] = bounds.upper[2];
+}
+
 class Builder {
  public:
   Builder(BuildRef* refs, const std::vector<std::int32_t>& kind_starts)
       : refs_(refs),
-        kind_starts_(kind_starts),
-        large_scene_(static_cast<std::size_t>(kind_starts.back()) >= kLargeScene) {}
+        kinds_(kind_starts),
+        rules_(static_cast<std::size_t>(kind_starts.back()) < kLargeScene ? kRules
+                                                                          : kRulesOfLargeScenes) {}
 
-  /// The node of a range, its children before it; a leaf's child is its first reference's place.
-  std::int32_t build_node(Range whole, int depth);
+  /// The root's number in the pool; a leaf's child is its first reference's place.
+  std::int32_t build(const Range& all);
   const NodePool& pool() const { return pool_; }
 
  private:
-  std::int32_t kind_of(const BuildRef& ref) const {
-    std::size_t kind = 0;
-    while (ref.index >= kind_starts_[kind + 1]) ++kind;
-    return static_cast<std::int32_t>(kind);
-  }
-  bool one_kind(const Range& range) const {
-    return std::all_of(range.begin, range.end,
-                       [&](const BuildRef& r) { return kind_of(r) == kind_of(*range.begin); });
-  }
-  /// A leaf holds one kind; a small range of several is cut where the kinds change.
-  bool can_be_leaf(const Range& range, std::size_t most) const {
-    return range.size() <= most && one_kind(range);
-  }
-  std::pair<Range, Range> split_kinds(const Range& range) const {
-    std::sort(range.begin, range.end,
-              [](const BuildRef& a, const BuildRef& b) { return a.index < b.index; });
-    BuildRef* middle = std::find_if(range.begin, range.end, [&](const BuildRef& r) {
-      return kind_of(r) != kind_of(*range.begin);
-    });
-    return {range_of(range.begin, middle), range_of(middle, range.end)};
-  }
-  void split_greedily(std::vector<Range>& ranges, int depth) const;
+  Collapse collapse(const Range& range, int depth) const;
+  std::int32_t add_node(const Range& whole, int depth);
+  std::int32_t add_node(const Collapse& collapse, const Collapse::Part& part);
+  void set_child(Node& node, std::size_t i, const Range& range, int depth);
+  void set_child(Node& node, std::size_t i, const Collapse& collapse, const Collapse::Part& part);
 
   BuildRef* refs_;
-  const std::vector<std::int32_t>& kind_starts_;
-  const bool large_scene_;
+  const Kinds kinds_;
+  const CollapseRules rules_;
   NodePool pool_;
 };
 
-/// Always splits what costs most, until sixteen children are there.
-void Builder::split_greedily(std::vector<Range>& ranges, int depth) const {
-  std::uint32_t whole = 0;  // those that stay as they are, a bit each
-  while (ranges.size() < kNodeWidth) {
-    std::size_t best = ranges.size();
-    float most = -1;
-    for (std::size_t i = 0; i < ranges.size(); ++i) {
-      const Range& range = ranges[i];
-      if (range.size() < 2 || (whole >> i & 1) != 0) continue;
-      if (large_scene_ && can_be_leaf(range, kSmallLeaf)) continue;
-      const float cost = depth < kFreeDepth ? range.cost() : static_cast<float>(range.size());
-      if (best == ranges.size() || cost > most) most = cost, best = i;
-    }
-    if (best == ranges.size()) return;
-    const Range range = ranges[best];
-    const bool few = range.size() <= kSmallLeaf, could_stay = few && one_kind(range);
-    const auto [left, right] =
-        few && !could_stay ? split_kinds(range) : split(range, depth >= kFreeDepth);
-    if (could_stay && !(left.cost() + right.cost() <= kWorthwhile * range.cost())) {
-      whole |= 1u << best;
-      continue;
-    }
-    ranges[best] = left;
-    ranges.push_back(right);
-  }
-}
-
-std::int32_t Builder::build_node(Range whole, int depth) {
-  if (whole.centers.empty()) whole.centers = centers_by_tasks(whole.begin, whole.end);
-  std::vector<Range> ranges;
-  ranges.reserve(kNodeWidth);
-  if (whole.size() >= kGridSize && depth < kFreeDepth) {
-    const Binning binning(whole, kBins);
-    ranges = counted(whole, binning).cut(whole, kNodeWidth);
-  } else {
-    ranges = {whole};
-    split_greedily(ranges, depth);
-  }
-  if (ranges.size() < 2) split_greedily(ranges, depth);
-
+Node empty_node() {
   Node node;
   for (std::size_t i = 0; i < kNodeWidth; ++i) {
-    const Bounds bounds = i < ranges.size() ? ranges[i].bounds : Bounds{};
-    node.lower_x[i] = bounds.lower[0], node.lower_y[i] = bounds.lower[1],
-    node.lower_z[i] = bounds.lower[2];
-    node.upper_x[i] = bounds.upper[0], node.upper_y[i] = bounds.upper[1],
-    node.upper_z[i] = bounds.upper[2];
+    set_box(node, i, {});
     node.child[i] = 0;
-    node.leaf[i] = i < ranges.size() ? 0 : kNoChild;
+    node.leaf[i] = kNoChild;
   }
+  return node;
+}
+
+/// Ranges of equal size.
+std::vector<Range> sixteenths(const Range& range) {
+  std::vector<Range> ranges;
+  for (std::size_t i = 0; i < kNodeWidth; ++i)
+    ranges.push_back(range_of(range.begin + range.size() * i / kNodeWidth,
+                              range.begin + range.size() * (i + 1) / kNodeWidth));
+  return ranges;
+}
+
+std::int32_t Builder::build(const Range& all) {
+  if (all.size() >= kGridSize) return add_node(all, 0);
+  const Collapse whole = collapse(all, 0);
+  if (!whole.whole().leaf) return add_node(whole, whole.whole());
+  Node node = empty_node();
+  set_child(node, 0, whole, whole.whole());
+  return pool_.add(node);
+}
+
+Collapse Builder::collapse(const Range& range, int depth) const {
+  return {range.centers.empty() ? range_of(range.begin, range.end) : range, kMaxNodeDepth - depth,
+          kinds_, rules_};
+}
+
+/// The node of a large range, its children before it.
+std::int32_t Builder::add_node(const Range& whole, int depth) {
+  std::vector<Range> ranges;
+  if (depth < kFreeDepth) {
+    Range range = whole;
+    if (range.centers.empty()) range.centers = centers_by_tasks(whole.begin, whole.end);
+    ranges = counted(range, Binning(range, kBins)).cut(range, kNodeWidth);
+  }
+  if (ranges.size() < 2) ranges = sixteenths(whole);
+
+  Node node = empty_node();
   tbb::task_group tasks;
   Handover to_tasks, from_tasks;
   to_tasks.give();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const Range& range = ranges[i];
-    if (can_be_leaf(range, large_scene_ ? std::size_t{kNodeWidth} : kLargeLeaf)) {
-      node.child[i] = static_cast<std::int32_t>(range.begin - refs_);
-      node.leaf[i] =
-          static_cast<std::int32_t>(range.size()) + 2 * kNodeWidth * kind_of(*range.begin);
-    } else if (range.size() >= kTaskSize) {
+    if (range.size() >= kTaskSize)
       tasks.run([&, i, depth] {
         to_tasks.take();
-        node.child[i] = build_node(range, depth + 1);
+        set_child(node, i, range, depth + 1);
         from_tasks.give();
       });
-    } else {
-      node.child[i] = build_node(range, depth + 1);
-    }
+    else
+      set_child(node, i, range, depth + 1);
   }
   tasks.wait();
   from_tasks.take();
   return pool_.add(node);
+}
+
+std::int32_t Builder::add_node(const Collapse& collapse, const Collapse::Part& part) {
+  Node node = empty_node();
+  std::size_t i = 0;
+  collapse.each_child(part,
+                      [&](const Collapse::Part& child) { set_child(node, i++, collapse, child); });
+  return pool_.add(node);
+}
+
+void Builder::set_child(Node& node, std::size_t i, const Range& range, int depth) {
+  if (range.size() >= kGridSize) {
+    set_box(node, i, range.bounds);
+    node.leaf[i] = 0;
+    node.child[i] = add_node(range, depth);
+  } else {
+    const Collapse parts = collapse(range, depth);
+    set_child(node, i, parts, parts.whole());
+  }
+}
+
+void Builder::set_child(Node& node, std::size_t i, const Collapse& collapse,
+                        const Collapse::Part& part) {
+  set_box(node, i, part.bounds);
+  if (part.leaf) {
+    node.child[i] = static_cast<std::int32_t>(part.begin - refs_);
+    node.leaf[i] = static_cast<std::int32_t>(part.size()) + 2 * kNodeWidth * kinds_.of(*part.begin);
+  } else {
+    node.child[i] = add_node(collapse, part);
+    node.leaf[i] = 0;
+  }
 }
 
 /// Nodes into their places, depth first; leaves count their primitives by `place_in_kind`, if there
@@ -216,7 +223,7 @@ BuiltHierarchy build_hierarchy(BuildRefs refs, const std::vector<std::int32_t>& 
   Builder builder(refs.data(), kind_starts);
   Range all{refs.begin(), refs.end(), {}, {}};
   if (refs.size() < kGridSize) all = range_of(refs.begin(), refs.end());
-  const std::int32_t root = builder.build_node(all, 0);
+  const std::int32_t root = builder.build(all);
   built.order = std::move(refs).into_indices();
 
   // By kinds: each kind's primitives in the order that they have among all.

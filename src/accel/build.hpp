@@ -34,8 +34,9 @@ class BuildRefs {
 /// A hierarchy over all references. Kind k holds the slots [kind_starts[k], kind_starts[k + 1]); a
 /// leaf's first primitive counts from the start of its kind in the new order. The result does not
 /// depend on the number of threads. Splits by the surface area heuristic over bins (Wald, "On fast
-/// construction of SAH-based bounding volume hierarchies", 2007), straight into nodes of sixteen.
-/// Boxes must be finite. Needs 14 bytes a primitive besides the references, which it uses up.
+/// construction of SAH-based bounding volume hierarchies", 2007): large ranges straight into nodes
+/// of sixteen, others as collapse.hpp says. Boxes must be finite. Needs 14 bytes a primitive
+/// besides the references, which it uses up.
 BuiltHierarchy build_hierarchy(BuildRefs refs, const std::vector<std::int32_t>& kind_starts);
 
 }  // namespace zraka

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "accel/collapse.hpp"
+
+namespace zraka {
+namespace {
+
+/// What a ray pays for a leaf besides its shapes.
+constexpr float kLeafCost = 1;
+/// Ranges of several kinds up to this size are cut where the kinds change.
+constexpr std::size_t kFew = 4;
+/// So many halvings by numbers alone end at single references.
+constexpr int kLastLevels = 15;
+
+}  // namespace
+
+Collapse::Collapse(const Range& range, int levels, const Kinds& kinds, CollapseRules rules) {
+  parts_.reserve(2 * range.size());
+  add(range, levels, kinds, rules);
+}
+
+std::int32_t Collapse::add(const Range& range, int levels, const Kinds& kinds,
+                           CollapseRules rules) {
+  const std::size_t place = parts_.size(), size = range.size();
+  parts_.emplace_back();
+  Part part;
+  part.begin = range.begin, part.end = range.end, part.bounds = range.bounds;
+  part.left = part.right = 0;
+  const bool one_kind = size <= std::max(rules.most, kFew) && kinds.are_one(range);
+  if (size > 1 && !(one_kind && size <= rules.whole)) {
+    const auto [left, right] =
+        size <= kFew && !one_kind ? kinds.split(range) : split(range, levels <= kLastLevels);
+    part.left = add(left, levels - 1, kinds, rules);
+    part.right = add(right, levels - 1, kinds, rules);
+  }
+  price(part, one_kind && size <= rules.most, rules.node_cost);
+  parts_[place] = part;
+  return static_cast<std::int32_t>(place);
+}
+
+void Collapse::price(Part& part, bool can_be_leaf, float node_cost) const {
+  const float area = part.bounds.half_area();
+  const float as_leaf = area * (kLeafCost + static_cast<float>(part.size()));
+  part.leaf = true;
+  part.most = part.in_node = 1;
+  part.cost.fill(as_leaf);
+  part.from_left.fill(0);
+  part.node_from_left = 0;
+  if (part.left == 0) return;
+
+  const Part &left = at(part.left), &right = at(part.right);
+  std::array<float, kNodeWidth + 1> cost;
+  for (std::size_t l = 1; l <= static_cast<std::size_t>(left.most); ++l)
+    for (std::size_t r = 1; r <= static_cast<std::size_t>(right.most) && l + r <= kNodeWidth; ++r) {
+      const float sum = left.cost[l] + right.cost[r];
+      if (part.from_left[l + r] != 0 && !(sum < cost[l + r])) continue;
+      cost[l + r] = sum;
+      part.from_left[l + r] = static_cast<std::uint8_t>(l);
+    }
+  part.most = std::min(left.most + right.most, kNodeWidth);
+  const auto most = static_cast<std::size_t>(part.most);
+  const auto cheapest = std::min_element(cost.begin() + 2, cost.begin() + part.most + 1);
+  part.in_node = static_cast<int>(cheapest - cost.begin());
+  part.node_from_left = part.from_left[static_cast<std::size_t>(part.in_node)];
+
+  const float as_node = node_cost * area + *cheapest;
+  part.leaf = can_be_leaf && as_leaf <= as_node;
+  part.cost.fill(part.leaf ? as_leaf : as_node);
+  for (std::size_t i = 2; i <= kNodeWidth; ++i) {
+    part.cost[i] = part.cost[i - 1];
+    if (i > most || cost[i] >= part.cost[i])
+      part.from_left[i] = 0;
+    else
+      part.cost[i] = cost[i];
+  }
+}
+
+}  // namespace zraka

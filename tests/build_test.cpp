@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the hierarchy is like that is built from boxes.
+#include "accel/build.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "math/box.hpp"
+
+namespace zraka {
+namespace {
+
+TEST(Build, IsBuiltFromAMillionEqualSpheres) {
+#ifdef ZRAKA_SANITIZED
+  constexpr std::int32_t kCount = 100000;
+#else
+  constexpr std::int32_t kCount = 1000000;
+#endif
+  BuildRefs refs(kCount);
+  for (std::size_t i = 0; i < refs.size(); ++i)
+    refs[i] = {{-1, -1, -1}, {1, 1, 1}, static_cast<std::int32_t>(i)};
+  std::vector<std::int32_t> order = build_hierarchy(std::move(refs), {0, kCount}).order;
+  std::sort(order.begin(), order.end());
+  ASSERT_EQ(order.size(), static_cast<std::size_t>(kCount));
+  for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], static_cast<std::int32_t>(i));
+}
+
+TEST(Build, StaysFlatEnoughForItsStack) {
+  // Every shape half as large as the one before and beside it: each cut takes off only a few.
+  BuildRefs refs(20000);
+  for (std::size_t i = 0; i < refs.size(); ++i) {
+    const float at = std::ldexp(1.0f, -static_cast<int>(i % 140)),
+                size = at * (1 + 1e-6f * static_cast<float>(i));
+    refs[i] = {{at, 0, 0}, {at + size, size, size}, static_cast<std::int32_t>(i)};
+  }
+  const BuiltHierarchy built = build_hierarchy(std::move(refs), {0, 20000});
+  std::vector<std::pair<std::int32_t, int>> open = {{0, 1}};
+  int deepest = 0;
+  while (!open.empty()) {
+    const auto [at, depth] = open.back();
+    open.pop_back();
+    deepest = std::max(deepest, depth);
+    const Node& node = built.nodes[static_cast<std::size_t>(at)];
+    for (std::size_t i = 0; i < kNodeWidth; ++i)
+      if (node.leaf[i] == 0 && node.lower_x[i] <= node.upper_x[i])
+        open.push_back({node.child[i], depth + 1});
+  }
+  EXPECT_LE(deepest, kMaxNodeDepth);
+}
+
+float half_area(const Box& box) {
+  const Vec3 size{box.upper.x - box.lower.x, box.upper.y - box.lower.y, box.upper.z - box.lower.z};
+  return static_cast<float>(size.x * size.y + size.y * size.z + size.z * size.x);
+}
+
+/// What a ray through the hierarchy's box pays by the surface area heuristic: two for a node, one
+/// for a leaf and one for a shape.
+float cost_of(const BuiltHierarchy& built) {
+  float cost = 0, root = 0;
+  for (const Node& node : built.nodes) {
+    Box all;
+    for (std::size_t i = 0; i < kNodeWidth; ++i) {
+      if (node.leaf[i] == kNoChild) continue;
+      const Box box{{node.lower_x[i], node.lower_y[i], node.lower_z[i]},
+                    {node.upper_x[i], node.upper_y[i], node.upper_z[i]}};
+      all.include(box);
+      const auto shapes = static_cast<float>(node.leaf[i] % (2 * kNodeWidth));
+      if (shapes > 0) cost += half_area(box) * (1 + shapes);
+    }
+    cost += 2 * half_area(all);
+    if (&node == &built.nodes[0]) root = half_area(all);
+  }
+  return cost / root;
+}
+
+TEST(Build, CostsLittleAlsoWhereKindsMix) {
+  // Joints: a shape of one kind beside one of the other.
+  constexpr std::int32_t kCount = 8000;
+  BuildRefs refs(kCount);
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<float> anywhere(-1, 1);
+  for (std::size_t i = 0; i < kCount / 2; ++i) {
+    const float x = anywhere(generator), y = anywhere(generator), z = anywhere(generator),
+                d = 0.02f;
+    const auto first = static_cast<std::int32_t>(i), second = first + kCount / 2;
+    refs[i] = {{x, y, z}, {x + d, y + d, z + d}, first};
+    refs[i + kCount / 2] = {{x + d, y, z}, {x + 2 * d, y + d, z + d}, second};
+  }
+  const BuiltHierarchy built = build_hierarchy(std::move(refs), {0, kCount / 2, kCount});
+  EXPECT_LT(cost_of(built), 23) << "24.5 if what costs most is always split next";
+}
+
+/// How many primitives each leaf below the root of so many boxes has.
+std::vector<int> leaves_of(BuildRefs refs) {
+  const auto count = static_cast<std::int32_t>(refs.size());
+  const BuiltHierarchy built = build_hierarchy(std::move(refs), {0, count});
+  std::vector<int> counts;
+  for (const std::int32_t leaf : built.nodes[0].leaf)
+    if (leaf != kNoChild) counts.push_back(leaf % (2 * kNodeWidth));
+  return counts;
+}
+
+TEST(Build, SplitsLeavesWhereThatHalvesWhatRaysMeet) {
+  BuildRefs posts(12), quads(12);
+  for (std::int32_t i = 0; i < 12; ++i) {
+    const auto x = static_cast<float>(i), pair = static_cast<float>(i / 2 * 2);
+    posts[static_cast<std::size_t>(i)] = {{x, 0, 0}, {x + 0.1f, 9, 0.1f}, i};
+    quads[static_cast<std::size_t>(i)] = {{pair, 0, 0}, {pair + 1, 1, 0.1f}, i};
+  }
+  EXPECT_EQ(leaves_of(std::move(posts)), std::vector<int>(12, 1)) << "thin ones apart: alone";
+  EXPECT_EQ(leaves_of(std::move(quads)), std::vector<int>(6, 2)) << "halves of a quad: together";
+}
+
+}  // namespace
+}  // namespace zraka
