@@ -49,6 +49,10 @@ class Bundle {
   ZRAKA_INLINE V3<F> origin(std::size_t i) const { return of_one(0, i); }
   ZRAKA_INLINE V3<F> direction(std::size_t i) const { return of_one(3, i); }
 
+  /// Of the rays of these numbers.
+  ZRAKA_INLINE V3<F> origins(typename L::I rays) const { return of_each(0, rays); }
+  ZRAKA_INLINE V3<F> directions(typename L::I rays) const { return of_each(3, rays); }
+
   /// Pushes the children that some of the rays meet before their own t, of which `farthest` is the
   /// greatest.
   ZRAKA_INLINE void push_children(const Node& node, std::uint32_t rays, const R* t, R farthest,
@@ -76,6 +80,11 @@ class Bundle {
 
   ZRAKA_INLINE V3<F> of_one(std::size_t column, std::size_t i) const {
     return {F(single_[column][i]), F(single_[column + 1][i]), F(single_[column + 2][i])};
+  }
+
+  ZRAKA_INLINE V3<F> of_each(std::size_t column, typename L::I rays) const {
+    return {L::look_up(single_[column], rays), L::look_up(single_[column + 1], rays),
+            L::look_up(single_[column + 2], rays)};
   }
 
   /// Where rays enter and leave what lies between two planes.

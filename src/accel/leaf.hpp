@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rays of a group against the shapes of a leaf: rays in lanes and shapes one after the other,
-// or the other way round, whichever takes fewer tests.
+// or the other way round, or pairs of both that wait until they fill a register, whichever takes
+// fewer tests.
 #pragma once
 
-#include "accel/bundle.hpp"
+#include "accel/pairs.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -13,6 +14,9 @@ ZRAKA_INLINE std::int32_t leaf_count(std::int32_t leaf) {
 }
 ZRAKA_INLINE std::int32_t leaf_kind(std::int32_t leaf) {
   return leaf / (2 * kNodeWidth);
+}
+ZRAKA_INLINE std::int32_t leaf_of(std::int32_t count, std::int32_t kind) {
+  return count + 2 * kNodeWidth * kind;
 }
 
 /// Whether it takes fewer tests to have the shapes in lanes than to have the rays there.
@@ -58,9 +62,11 @@ struct Nearest {
     L::store(ray.t, t + r * L::kWidth);
     L::store(ray.slot, slot + r * L::kWidth);
   }
-  ZRAKA_INLINE void give(RayLanes<L>& ray, std::size_t r) const {
-    ray.t = L::load(t + r * L::kWidth);
-    ray.slot = L::load(slot + r * L::kWidth);
+  ZRAKA_INLINE void give(RayGroup<L>& rays) const {
+    for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+      rays.ray[r].t = L::load(t + r * L::kWidth);
+      rays.ray[r].slot = L::load(slot + r * L::kWidth);
+    }
   }
   /// Ray i meets the shapes of the slots from `first` on at these distances. True if that is
   /// another hit than before.
@@ -69,33 +75,67 @@ struct Nearest {
     using F = typename L::F;
     const auto nearer = both(distance > F(0), distance <= F(t[i]));
     if (!any(nearer)) return false;
-    const std::int32_t before = slot[i];
     const R least = min_of(select(nearer, distance, F(kFarAway<R>)));
+    bool changed = false;
     for (std::uint32_t equal = bits(both(nearer, distance <= F(least))); equal != 0;
-         equal &= equal - 1) {
-      // Of equal hits the shape that was read first counts, in whatever order they are found.
-      const std::int32_t found = first + __builtin_ctz(equal);
-      if (least < t[i] || slot[i] < 0 || id_of(scene, found) < id_of(scene, slot[i]))
-        slot[i] = found;
-      t[i] = least;
+         equal &= equal - 1)
+      changed |= keep(scene, i, first + __builtin_ctz(equal), least);
+    return changed;
+  }
+  /// Ray i meets the shape of one slot at a distance that is not greater than its t. True if that
+  /// is another hit than before.
+  ZRAKA_INLINE bool keep(const FrozenScene<R>& scene, std::size_t i, std::int32_t found,
+                         R distance) {
+    // Of equal hits the shape that was read first counts, in whatever order they are found.
+    if (!(distance < t[i]) && slot[i] >= 0 && id_of(scene, found) >= id_of(scene, slot[i]))
+      return false;
+    t[i] = distance;
+    slot[i] = found;
+    return true;
+  }
+  /// Pairs of rays and shapes meet, up to a register of them. True if any ray has another hit than
+  /// before.
+  template <class Shape>
+  bool meet(const FrozenScene<R>& scene, const FrozenShapes<R, Shape>& shapes,
+            const Bundle<L>& bundle, PairQueue<L>& pairs) {
+    using F = typename L::F;
+    const auto met = pairs.template take<Shape>(bundle);
+    const auto nearer = both(met.distance > F(0), met.distance <= L::look_up(t, met.ray));
+    std::uint32_t lanes = bits(both(nearer, met.active));
+    if (lanes == 0) return false;
+    alignas(64) R distance[L::kWidth];
+    alignas(64) std::int32_t ray[L::kWidth];
+    L::store(met.distance, distance);
+    L::store(met.ray, ray);
+    bool changed = false;
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const int lane = __builtin_ctz(lanes);
+      const auto i = static_cast<std::size_t>(ray[lane]);
+      if (distance[lane] <= t[i])  // an earlier lane may hold the same ray
+        changed |= keep(scene, i, shapes.first_slot + met.shape[lane], distance[lane]);
     }
-    return slot[i] != before;
+    return changed;
   }
 };
 
-/// The bits of those of the rays that a register holds.
-template <class L>
-ZRAKA_INLINE std::uint32_t in_register(std::uint32_t rays, std::size_t r) {
-  constexpr std::uint32_t kOne = static_cast<std::uint32_t>((std::uint64_t{1} << L::kWidth) - 1);
-  return rays & kOne << (r * L::kWidth);
-}
-
-/// The nearest hits of an entry's rays in its leaf, into `rays` and `nearest`. True if any are new.
+/// The nearest hits of an entry's rays in its leaf, into `rays` and `nearest`, or later, from
+/// `pairs`. True if any are new.
 template <class L, class R = typename L::Real>
 ZRAKA_INLINE bool nearest_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& bundle,
                                   const BundleEntry<R>& entry, RayGroup<L>& rays,
-                                  Nearest<L>& nearest) {
+                                  Nearest<L>& nearest, Pairs<L>& pairs) {
   bool changed = false;
+  if (better_as_pairs<L>(entry.rays, leaf_count(entry.leaf))) {
+    PairQueue<L>& queue = pairs.of_kind[leaf_kind(entry.leaf)];
+    with_kind(scene, leaf_kind(entry.leaf), [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
+      for (std::int32_t i = 0; i < leaf_count(entry.leaf); ++i) {
+        queue.add(shapes, entry.child + i, entry.rays);
+        while (queue.full()) changed |= nearest.meet(scene, shapes, bundle, queue);
+      }
+    });
+    if (changed) nearest.give(rays);
+    return changed;
+  }
   std::uint32_t one_by_one = 0;
   for (std::size_t r = 0; r < kRegisters<L>; ++r) {
     const std::uint32_t mine = in_register<L>(entry.rays, r);
@@ -120,19 +160,65 @@ ZRAKA_INLINE bool nearest_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& 
                       [&](std::size_t i, std::int32_t first, typename L::F distance) {
                         if (nearest.meet(scene, i, first, distance)) more = true;
                       });
-  if (more)
-    for (std::size_t r = 0; r < kRegisters<L>; ++r) nearest.give(rays.ray[r], r);
+  if (more) nearest.give(rays);
   return changed || more;
 }
 
-/// Which of the rays meet a shape of the entry's leaf nearer than their t; `t` has the same as
-/// the group.
+/// What is left of the pairs.
+template <class L, class R = typename L::Real>
+ZRAKA_INLINE void nearest_of_pairs(const FrozenScene<R>& scene, const Bundle<L>& bundle,
+                                   Pairs<L>& pairs, Nearest<L>& nearest) {
+  for (std::int32_t kind = 0; kind < kKinds; ++kind)
+    if (PairQueue<L>& queue = pairs.of_kind[kind]; !queue.empty())
+      with_kind(scene, kind,
+                [&](const auto& shapes) { (void)nearest.meet(scene, shapes, bundle, queue); });
+}
+
+/// The shapes that blocked a ray last, as a leaf: what throws a shadow on one point mostly throws
+/// it on its neighbours too.
+struct LastBlocker {
+  std::int32_t child = 0, leaf = 0;
+};
+
+/// Pairs of rays and shapes meet, up to a register of them: the rays that are blocked nearer than
+/// their t, a bit each.
+template <class L, class Shape, class R = typename L::Real>
+std::uint32_t blocked_by_pairs(const FrozenShapes<R, Shape>&, std::int32_t kind,
+                               const Bundle<L>& bundle, PairQueue<L>& pairs, const R* t,
+                               LastBlocker& last) {
+  using F = typename L::F;
+  const auto met = pairs.template take<Shape>(bundle);
+  const auto nearer = both(met.distance > F(0), met.distance < L::look_up(t, met.ray));
+  std::uint32_t lanes = bits(both(nearer, met.active)), blocked = 0;
+  if (lanes == 0) return 0;
+  alignas(64) std::int32_t ray[L::kWidth];
+  L::store(met.ray, ray);
+  last = {met.shape[__builtin_ctz(lanes)], leaf_of(1, kind)};
+  for (; lanes != 0; lanes &= lanes - 1) blocked |= 1u << ray[__builtin_ctz(lanes)];
+  return blocked;
+}
+
+/// Which of the rays meet a shape of the entry's leaf nearer than their t, or a shape of earlier
+/// entries' pairs; `t` has the same as the group.
 template <class L, class R = typename L::Real>
 ZRAKA_INLINE std::uint32_t blocked_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& bundle,
                                            const BundleEntry<R>& entry, std::uint32_t rays,
-                                           const RayGroup<L>& group, const R* t) {
+                                           const RayGroup<L>& group, const R* t, Pairs<L>& pairs,
+                                           LastBlocker& last) {
   using F = typename L::F;
   std::uint32_t blocked_rays = 0, one_by_one = 0;
+  if (better_as_pairs<L>(rays, leaf_count(entry.leaf))) {
+    const std::int32_t kind = leaf_kind(entry.leaf);
+    PairQueue<L>& queue = pairs.of_kind[kind];
+    with_kind(scene, kind, [&](const auto& shapes) {
+      for (std::int32_t i = 0; i < leaf_count(entry.leaf); ++i) {
+        queue.add(shapes, entry.child + i, rays);
+        while (queue.full())
+          blocked_rays |= blocked_by_pairs<L>(shapes, kind, bundle, queue, t, last);
+      }
+    });
+    return blocked_rays;
+  }
   for (std::size_t r = 0; r < kRegisters<L>; ++r) {
     const std::uint32_t mine = in_register<L>(rays, r);
     if (mine == 0) continue;
@@ -158,7 +244,21 @@ ZRAKA_INLINE std::uint32_t blocked_in_leaf(const FrozenScene<R>& scene, const Bu
                           if (any(both(distance > F(0), distance < F(t[i]))))
                             blocked_rays |= 1u << i;
                         });
+  if (blocked_rays != 0) last = {entry.child, entry.leaf};
   return blocked_rays;
+}
+
+/// Which of the rays what is left of the pairs blocks.
+template <class L, class R = typename L::Real>
+ZRAKA_INLINE std::uint32_t blocked_by_pairs(const FrozenScene<R>& scene, const Bundle<L>& bundle,
+                                            const R* t, Pairs<L>& pairs, LastBlocker& last) {
+  std::uint32_t blocked = 0;
+  for (std::int32_t kind = 0; kind < kKinds; ++kind)
+    if (PairQueue<L>& queue = pairs.of_kind[kind]; !queue.empty())
+      with_kind(scene, kind, [&](const auto& shapes) {
+        blocked |= blocked_by_pairs<L>(shapes, kind, bundle, queue, t, last);
+      });
+  return blocked;
 }
 
 }  // namespace zraka::ZRAKA_ISA

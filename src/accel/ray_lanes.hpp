@@ -56,6 +56,13 @@ ZRAKA_INLINE typename L::M lanes_of(std::uint32_t group, std::size_t r) {
   return L::from_bits(group >> (r * L::kWidth));
 }
 
+/// The bits of those of the rays that a register holds.
+template <class L>
+ZRAKA_INLINE std::uint32_t in_register(std::uint32_t rays, std::size_t r) {
+  constexpr std::uint32_t kOne = static_cast<std::uint32_t>((std::uint64_t{1} << L::kWidth) - 1);
+  return rays & kOne << (r * L::kWidth);
+}
+
 /// Which rays are rays at all: what overflows on its way becomes no number, and meets nothing.
 template <class L>
 ZRAKA_INLINE typename L::M are_numbers(const RayLanes<L>& ray) {

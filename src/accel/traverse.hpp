@@ -36,6 +36,7 @@ void nearest_in_hierarchy(const FrozenScene<R>& scene, RayGroup<L>& rays) {
   const Bundle<L> bundle(rays, active == RayGroup<L>::kAll);
   Nearest<L> nearest;
   for (std::size_t r = 0; r < kRegisters<L>; ++r) nearest.take(rays.ray[r], r);
+  Pairs<L> pairs;
   R farthest = farthest_of(rays);
   BundleStack<L> stack;
   stack.push({0, 0, 0, active});
@@ -47,17 +48,13 @@ void nearest_in_hierarchy(const FrozenScene<R>& scene, RayGroup<L>& rays) {
       bundle.push_children(scene.hierarchy.nodes[entry.child], entry.rays, nearest.t, farthest,
                            stack);
       stack.sort_from(before);
-    } else if (nearest_in_leaf<L>(scene, bundle, entry, rays, nearest)) {
+    } else if (nearest_in_leaf<L>(scene, bundle, entry, rays, nearest, pairs)) {
       farthest = farthest_of(rays);
     }
   }
+  nearest_of_pairs<L>(scene, bundle, pairs, nearest);
+  nearest.give(rays);
 }
-
-/// The leaf that blocked a ray last: what throws a shadow on one point mostly throws it on its
-/// neighbours too.
-struct LastBlocker {
-  std::int32_t child = 0, leaf = 0;
-};
 
 /// Which of the active rays meet anything nearer than their t, a bit each. Their t is lost.
 template <class L, class R = typename L::Real>
@@ -67,6 +64,7 @@ std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& las
   const Bundle<L> bundle(rays, active == RayGroup<L>::kAll);
   alignas(64) R t[RayGroup<L>::kRays];
   for (std::size_t r = 0; r < kRegisters<L>; ++r) L::store(rays.ray[r].t, t + r * L::kWidth);
+  Pairs<L> pairs;
   std::uint32_t left = active;
   R farthest = farthest_of(rays);
   BundleStack<L> stack;
@@ -80,9 +78,9 @@ std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& las
       bundle.push_children(scene.hierarchy.nodes[entry.child], asking, t, farthest, stack);
       continue;
     }
-    const std::uint32_t blocked = blocked_in_leaf<L>(scene, bundle, entry, asking, rays, t);
+    const std::uint32_t blocked =
+        left & blocked_in_leaf<L>(scene, bundle, entry, asking, rays, t, pairs, last);
     if (blocked == 0) continue;
-    last = {entry.child, entry.leaf};
     left &= ~blocked;
     for (std::size_t r = 0; r < kRegisters<L>; ++r) {
       rays.ray[r].t = select(lanes_of<L>(blocked, r), typename L::F(-1), rays.ray[r].t);
@@ -90,6 +88,7 @@ std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& las
     }
     farthest = farthest_of(rays);
   }
+  if (left != 0) left &= ~blocked_by_pairs<L>(scene, bundle, t, pairs, last);
   return active & ~left;
 }
 

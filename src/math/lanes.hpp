@@ -34,6 +34,8 @@ struct ScalarLanes {
   static ZRAKA_INLINE void store(I v, std::int32_t* p) { *p = v; }
   static ZRAKA_INLINE F gather(const R* base, I index) { return base[index]; }
   static ZRAKA_INLINE I gather(const std::int32_t* base, I index) { return base[index]; }
+  /// From a table of as many values as rays go through the scene together.
+  static ZRAKA_INLINE F look_up(const R* table, I index) { return table[index]; }
   static ZRAKA_INLINE void scatter(F v, M m, R* base, I index) {
     if (m) base[index] = v;
   }

@@ -233,6 +233,15 @@ struct WideLanes {
   static ZRAKA_INLINE I gather(const std::int32_t* base, I index) {
     return hn::GatherIndex(wide::di, base, index.v);
   }
+  /// From a table of 32 values, or of kWidth where registers are narrow.
+  static ZRAKA_INLINE F look_up(const float* table, I index) {
+#if HWY_TARGET <= HWY_AVX3  // Highway 1.0 has no tables of two registers
+    return hn::Vec<wide::D>{_mm512_permutex2var_ps(hn::LoadU(wide::d, table).raw, index.v.raw,
+                                                   hn::LoadU(wide::d, table + kWidth).raw)};
+#else
+    return gather(table, index);
+#endif
+  }
   static ZRAKA_INLINE void scatter(F v, M m, float* base, I index) {
 #if HWY_TARGET <= HWY_AVX3  // Highway 1.0 has no masked scatter
     _mm512_mask_i32scatter_ps(base, m.v.raw, index.v.raw, v.v.raw, sizeof(float));
