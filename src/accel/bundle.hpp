@@ -54,29 +54,37 @@ class Bundle {
   ZRAKA_INLINE V3<F> directions(typename L::I rays) const { return of_each(3, rays); }
 
   /// Pushes the children that some of the rays meet before their own t, of which `farthest` is the
-  /// greatest.
+  /// greatest; with kInOrder the nearest last.
+  template <bool kInOrder>
   ZRAKA_INLINE void push_children(const Node& node, std::uint32_t rays, const R* t, R farthest,
                                   BundleStack<L>& stack) const {
+    const int count = __builtin_popcount(rays), before = stack.size();
+    bool in_order = L::kWidth >= kNodeWidth;
     for (std::size_t k = 0; k < kNodeWidth; k += L::kWidth) {
       if (!coherent_) {
-        push_ray_by_ray<false>(node, k, rays, t, stack);
+        push_ray_by_ray<false, kInOrder>(node, k, rays, t, stack);
         continue;
       }
-      if (L::kWidth == 1) {  // intervals of one ray cull no more than its own test
-        push_ray_by_ray<true>(node, k, rays, t, stack);
+      if (count <= kFewRays) {
+        push_ray_by_ray<true, kInOrder>(node, k, rays, t, stack);
         continue;
       }
       alignas(64) R nearest[L::kWidth];
       const std::uint32_t met = candidates(node, k, farthest, nearest);
-      if (__builtin_popcount(rays) < static_cast<int>(kRegisters<L>) * __builtin_popcount(met))
-        push_ray_by_ray<true>(node, k, rays, t, stack);
-      else
+      if (count < static_cast<int>(kRegisters<L>) * __builtin_popcount(met)) {
+        push_ray_by_ray<true, kInOrder>(node, k, rays, t, stack);
+      } else {
         push_box_by_box(node, k, met, rays, t, nearest, stack);
+        in_order = false;
+      }
     }
+    if (kInOrder && !in_order) stack.sort_from(before);
   }
 
  private:
   static constexpr std::size_t kColumns = 12;
+  /// For so few rays what all have in common costs as much as each ray's own test.
+  static constexpr int kFewRays = 4;
 
   ZRAKA_INLINE V3<F> of_one(std::size_t column, std::size_t i) const {
     return {F(single_[column][i]), F(single_[column + 1][i]), F(single_[column + 2][i])};
@@ -172,7 +180,7 @@ class Bundle {
 
   /// Each of the rays against all the boxes [k, k + kWidth) at once, where these are fewer tests or
   /// the rays go to different sides.
-  template <bool kSameSides>
+  template <bool kSameSides, bool kInOrder>
   ZRAKA_INLINE void push_ray_by_ray(const Node& node, std::size_t k, std::uint32_t rays, const R* t,
                                     BundleStack<L>& stack) const {
     using I = typename L::I;
@@ -207,11 +215,19 @@ class Bundle {
     alignas(64) R near[L::kWidth];
     L::store(through, rays_of);
     L::store(nearest, near);
-    for (std::uint32_t boxes = bits(met); boxes != 0; boxes &= boxes - 1) {
+    const std::uint32_t all = bits(met);
+    BundleEntry<R>* const entries = stack.extend(__builtin_popcount(all));
+    int place = 0;
+    for (std::uint32_t boxes = all; boxes != 0; boxes &= boxes - 1, ++place) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(boxes));
       const std::size_t i = k + lane;
-      stack.push(
-          {near[lane], node.child[i], node.leaf[i], static_cast<std::uint32_t>(rays_of[lane])});
+      if (kInOrder) {  // above all that are farther, without a branch
+        const F mine(near[lane]);
+        const std::uint32_t equal = bits(nearest == mine) & ~(boxes ^ (boxes - 1));
+        place = __builtin_popcount(all & (bits(nearest > mine) | equal));
+      }
+      entries[place] = {near[lane], node.child[i], node.leaf[i],
+                        static_cast<std::uint32_t>(rays_of[lane])};
     }
   }
 

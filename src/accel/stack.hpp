@@ -2,6 +2,8 @@
 // What is still to be visited on the way through the hierarchy.
 #pragma once
 
+#include <utility>
+
 #include "math/inline.hpp"
 #include "scene/hierarchy.hpp"
 
@@ -18,6 +20,8 @@ class Stack {
   ZRAKA_INLINE int size() const { return size_; }
   ZRAKA_INLINE E pop() { return entries_[--size_]; }
   ZRAKA_INLINE void push(const E& entry) { entries_[size_++] = entry; }
+  /// Room for so many entries on top, which the caller fills.
+  ZRAKA_INLINE E* extend(int entries) { return entries_ + std::exchange(size_, size_ + entries); }
   /// Without a branch, for what cannot be foreseen.
   ZRAKA_INLINE void push_if(bool wanted, const E& entry) {
     entries_[size_] = entry;

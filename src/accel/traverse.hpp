@@ -44,10 +44,8 @@ void nearest_in_hierarchy(const FrozenScene<R>& scene, RayGroup<L>& rays) {
     const BundleEntry<R> entry = stack.pop();
     if (entry.t > farthest) continue;
     if (entry.leaf == 0) {
-      const int before = stack.size();
-      bundle.push_children(scene.hierarchy.nodes[entry.child], entry.rays, nearest.t, farthest,
-                           stack);
-      stack.sort_from(before);
+      bundle.template push_children<true>(scene.hierarchy.nodes[entry.child], entry.rays, nearest.t,
+                                          farthest, stack);
     } else if (nearest_in_leaf<L>(scene, bundle, entry, rays, nearest, pairs)) {
       farthest = farthest_of(rays);
     }
@@ -75,7 +73,8 @@ std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& las
     const std::uint32_t asking = entry.rays & left;
     if (asking == 0) continue;
     if (entry.leaf == 0) {
-      bundle.push_children(scene.hierarchy.nodes[entry.child], asking, t, farthest, stack);
+      bundle.template push_children<false>(scene.hierarchy.nodes[entry.child], asking, t, farthest,
+                                           stack);
       continue;
     }
     const std::uint32_t blocked =
