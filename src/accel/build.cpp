@@ -236,11 +236,14 @@ BuiltHierarchy build_hierarchy(BuildRefs refs, const std::vector<std::int32_t>& 
   if (kinds > 1) {
     place_in_kind.resize(built.order.size());
     std::vector<std::int32_t> grouped(built.order.size());
+    if (grouped.size() < kLargeScene) built.place.resize(grouped.size());
     std::vector<std::int32_t> next = kind_starts;
     for (std::size_t i = 0; i < built.order.size(); ++i) {
       std::size_t kind = 0;
       while (built.order[i] >= kind_starts[kind + 1]) ++kind;
       place_in_kind[i] = next[kind] - kind_starts[kind];
+      if (!built.place.empty())
+        built.place[static_cast<std::size_t>(next[kind])] = static_cast<std::int32_t>(i);
       grouped[static_cast<std::size_t>(next[kind]++)] = built.order[i];
     }
     built.order = std::move(grouped);

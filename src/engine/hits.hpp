@@ -17,17 +17,21 @@ namespace zraka::ZRAKA_ISA {
 /// in the hierarchy near each other: so do their feelers and children begin, and the lanes of a
 /// register share their material. Nothing computed for a hit depends on its place.
 template <class R>
-void sort_hits(const Scratch<R>& scratch, std::size_t n, std::int32_t* rays) {
-  const auto slot = [&](std::int32_t ray) { return scratch.slot[ray]; };
-  std::int32_t first = slot(rays[0]), last = first;
+void sort_hits(const Hierarchy& hierarchy, const Scratch<R>& scratch, std::size_t n,
+               std::int32_t* rays) {
+  const auto key = [&](std::int32_t ray) {
+    const std::int32_t slot = scratch.slot[ray];
+    return hierarchy.place != nullptr ? hierarchy.place[slot] : slot;
+  };
+  std::int32_t first = key(rays[0]), last = first;
   for (std::size_t i = 1; i < n; ++i) {
-    first = std::min(first, slot(rays[i]));
-    last = std::max(last, slot(rays[i]));
+    first = std::min(first, key(rays[i]));
+    last = std::max(last, key(rays[i]));
   }
-  constexpr int kBuckets = 256;
+  constexpr int kBuckets = 1024;
   int shift = 0;
   while ((last - first) >> shift >= kBuckets) ++shift;
-  const auto bucket = [&](std::int32_t ray) { return (slot(ray) - first) >> shift; };
+  const auto bucket = [&](std::int32_t ray) { return (key(ray) - first) >> shift; };
   std::int32_t place[kBuckets] = {};
   for (std::size_t i = 0; i < n; ++i) ++place[bucket(rays[i])];
   std::int32_t before = 0;
@@ -63,7 +67,7 @@ void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scr
   }
   level.hit_count = static_cast<std::int32_t>(hits);
   if (L::kWidth > 1 && hits > L::kWidth && scene.hierarchy.nodes != nullptr)
-    sort_hits(scratch, hits, level.hits.ray);
+    sort_hits(scene.hierarchy, scratch, hits, level.hits.ray);
 }
 
 /// The surface of those lanes whose primitive is of this kind; others stay as they are.

@@ -72,7 +72,8 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   const PreparedScene<R> prepared = prepare<R>(std::forward<SceneRef>(scene), options.profile);
   rendering.stats.build_seconds = seconds_since(start);
   rendering.stats.scene_bytes = prepared.store->bytes();
-  rendering.stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node);
+  rendering.stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node) +
+                                prepared.hierarchy.place.size() * sizeof(std::int32_t);
 
   const auto traced = std::chrono::steady_clock::now();
   const bool complete =

@@ -318,7 +318,8 @@ template <class R>
 void finish(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
   FrozenScene<R>& scene = store.scene;
   scene.hierarchy = {hierarchy.nodes.empty() ? nullptr : hierarchy.nodes.data(),
-                     static_cast<std::int32_t>(hierarchy.nodes.size())};
+                     static_cast<std::int32_t>(hierarchy.nodes.size()),
+                     hierarchy.place.empty() ? nullptr : hierarchy.place.data()};
   store.ids.resize(store.materials.size());
   std::int32_t* id = store.ids.data();
   const auto finish_shapes = [&]<class Shape>(FrozenShapes<R, Shape>& shapes) {

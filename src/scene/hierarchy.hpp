@@ -33,6 +33,9 @@ struct alignas(64) Node {
 struct Hierarchy {
   const Node* nodes = nullptr;  ///< the root is the first
   std::int32_t node_count = 0;
+  /// By slot: its place in the order of the leaves, over all kinds; nullptr where that is the slot's
+  /// own number, and in large scenes, which have no memory for it.
+  const std::int32_t* place = nullptr;
 };
 
 /// A primitive as the builder sees it: its box, already enlarged, and its slot as it was frozen.
@@ -47,6 +50,8 @@ struct BuiltHierarchy {
   /// The primitives' slots as they were frozen, in the order of the leaves, kind after kind; empty
   /// where there are no nodes.
   std::vector<std::int32_t> order;
+  /// By slot in this order: its place among all leaves' primitives; empty where that is the slot.
+  std::vector<std::int32_t> place;
 };
 
 }  // namespace zraka
