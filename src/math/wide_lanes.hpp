@@ -210,7 +210,7 @@ ZRAKA_INLINE void pack(Tag tag, hn::Vec<Tag> v, hn::Mask<Tag> m, std::uint32_t m
     const auto places = hn::IndicesFromVec(tag, hn::PromoteTo(hn::RebindToSigned<Tag>(), bytes));
     hn::StoreU(hn::TableLookupLanes(v, places), tag, p);
   } else {
-    hn::CompressStore(v, m, tag, p);
+    hn::StoreU(hn::Compress(v, m), tag, p);  // a masked store delays what is read from there soon
   }
 }
 }  // namespace wide
