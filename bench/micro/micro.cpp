@@ -195,7 +195,8 @@ struct TimedScene {
   const char* name;
   int size;
 };
-constexpr TimedScene kScenes[] = {{"sphereflake", 4}, {"lattice", 10}, {"terrain", 6}};
+constexpr TimedScene kScenes[] = {
+    {"sphereflake", 4}, {"lattice", 10}, {"rings", 5}, {"terrain", 6}};
 
 void add_intersections(const Probe& probe) {
   for (const bool hits : {true, false}) {

@@ -14,6 +14,8 @@
 namespace zraka {
 namespace {
 
+constexpr double kTurn = 6.28318530717958648;
+
 Vec3 operator+(const Vec3& a, const Vec3& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
@@ -80,7 +82,6 @@ void flake(Lines& out, const Vec3& center, double radius, const Vec3& axis, int 
   if (levels == 0) return;
   const Vec3 side = unit(cross(axis, std::fabs(axis.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
   const Vec3 other = cross(axis, side);
-  constexpr double kTurn = 6.28318530717958648;
   for (int i = 0; i < 9; ++i) {
     const bool equator = i < 6;
     const double around = equator ? kTurn * i / 6 : kTurn * (i - 6) / 3 + kTurn / 12;
@@ -127,6 +128,46 @@ void lattice(Lines& out, int size) {
       }
 }
 
+/// Five spheres around an axis, joined by cylinders.
+void ring(Lines& out, const Vec3& center, const Vec3& axis, double radius) {
+  const Vec3 side = unit(cross(axis, {0.3, 0.5, 0.8})), other = cross(axis, side);
+  const auto joint = [&](int i) {
+    const double turn = kTurn * i / 5;
+    return center + (side * std::cos(turn) + other * std::sin(turn)) * radius;
+  };
+  for (int i = 0; i < 5; ++i) {
+    out.sphere(joint(i), radius * 0.13);
+    out.cylinder(joint(i), joint(i + 1), radius * 0.08);
+  }
+}
+
+/// Shapes of a pixel or two that mirror each other: rays that go nowhere together. After the rings
+/// of Haines' Standard Procedural Databases.
+void rings(Lines& out, int size) {
+  out.view({2.2, -1.5, 1.7}, {0, 0, -0.12}, {0, 0, 1}, 28);
+  ground_and_lights(out, -0.5);
+  const double golden = (1 + std::sqrt(5.0)) / 2, step = 1.2 / size;
+  const std::array<Vec3, 6> axes = {{{0, 1, golden},
+                                     {0, 1, -golden},
+                                     {1, golden, 0},
+                                     {-1, golden, 0},
+                                     {golden, 0, 1},
+                                     {-golden, 0, 1}}};
+  int balls = 0;
+  for (int layer = 0; layer < size; ++layer)
+    for (int i = 0; i < size - layer; ++i)
+      for (int j = 0; j < size - layer; ++j, ++balls) {
+        const double middle = (size - layer - 1) / 2.0;
+        out.material(balls % 3 == 0 ? 0.8 : 0.3, balls % 3 == 1 ? 0.6 : 0.3,
+                     balls % 3 == 2 ? 0.8 : 0.2, 0.5, 0.5, 15);
+        for (const Vec3& axis : axes)
+          ring(out,
+               Vec3{(i - middle) * step, (j - middle) * step, -0.5 + (0.55 + 0.8 * layer) * step} +
+                   unit(axis) * (step * 0.06),
+               unit(axis), step * 0.42);
+      }
+}
+
 void spheres(Lines& out, int size, std::uint32_t seed) {
   out.view({2.4, -1.6, 1.8}, {0, 0, 0}, {0, 0, 1}, 40);
   ground_and_lights(out, -0.7);
@@ -154,10 +195,8 @@ void terrain(Lines& out, int size, std::uint32_t seed) {
   constexpr int kWaves = 40;
   std::array<std::array<double, 4>, kWaves> waves;
   for (std::size_t i = 0; i < kWaves; ++i) {
-    const double turn = 6.28318530717958648 * random.unit(),
-                 many = 3 * std::pow(1.15, static_cast<double>(i));
-    waves[i] = {many * std::cos(turn), many * std::sin(turn), 6.28318530717958648 * random.unit(),
-                0.25 / many};
+    const double turn = kTurn * random.unit(), many = 3 * std::pow(1.15, static_cast<double>(i));
+    waves[i] = {many * std::cos(turn), many * std::sin(turn), kTurn * random.unit(), 0.25 / many};
   }
   const int side = 1 << size;
   const auto row = [&](int j) {
@@ -198,6 +237,7 @@ Result<void> generate_benchmark(const std::string& name, int size, std::uint32_t
     Lines out(file->stream());
     if (name == "sphereflake") sphereflake(out, size);
     if (name == "lattice") lattice(out, size);
+    if (name == "rings") rings(out, size);
     if (name == "spheres") spheres(out, size, seed);
     if (name == "terrain") terrain(out, size, seed);
   }
