@@ -151,8 +151,8 @@ Bounds centers_by_tasks(const BuildRef* begin, const BuildRef* end) {
 
 std::pair<Range, Range> split(const Range& range, bool anyhow) {
   const Binning binning(range, range.size() < kFewBinsSize ? kBins / 2 : kBins);
-  const Split best = anyhow ? Split{} : best_split(range, binning);
-  if (best.axis == 3) {  // equal centres: any halves will do
+  const Split best = anyhow || range.size() == 2 ? Split{} : best_split(range, binning);
+  if (best.axis == 3) {  // two, or equal centres: any halves will do
     BuildRef* middle = range.begin + range.size() / 2;
     return {range_of(range.begin, middle), range_of(middle, range.end)};
   }
