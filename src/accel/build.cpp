@@ -17,10 +17,14 @@
 namespace zraka {
 namespace {
 
-/// Scenes from this size on take longer to build than to render, and memory: there small leaves
-/// stay whole, and nodes are few.
-constexpr std::size_t kLargeScene = std::size_t{1} << 20;
-constexpr CollapseRules kRules = {1, 12, 2}, kRulesOfLargeScenes = {8, kNodeWidth, 8};
+/// From the first size on nodes do not stay in a core's cache and cost more; scenes from the second
+/// on take longer to build than to render, and memory.
+constexpr std::size_t kLargeScene = std::size_t{1} << 16, kHugeScene = std::size_t{1} << 20;
+CollapseRules rules_for(std::size_t shapes) {
+  if (shapes < kLargeScene) return {1, 12, 2, false};
+  if (shapes < kHugeScene) return {1, kNodeWidth, 8, true};
+  return {8, kNodeWidth, 8, true};
+}
 /// Ranges from this size on are cut into sixteen at once.
 constexpr std::size_t kGridSize = 16384;
 /// Below this many levels of nodes such ranges are cut by numbers, whatever the heuristic says:
@@ -60,8 +64,7 @@ class Builder {
   Builder(BuildRef* refs, const std::vector<std::int32_t>& kind_starts)
       : refs_(refs),
         kinds_(kind_starts),
-        rules_(static_cast<std::size_t>(kind_starts.back()) < kLargeScene ? kRules
-                                                                          : kRulesOfLargeScenes) {}
+        rules_(rules_for(static_cast<std::size_t>(kind_starts.back()))) {}
 
   /// The root's number in the pool; a leaf's child is its first reference's place.
   std::int32_t build(const Range& all);
@@ -236,7 +239,7 @@ BuiltHierarchy build_hierarchy(BuildRefs refs, const std::vector<std::int32_t>& 
   if (kinds > 1) {
     place_in_kind.resize(built.order.size());
     std::vector<std::int32_t> grouped(built.order.size());
-    if (grouped.size() < kLargeScene) built.place.resize(grouped.size());
+    if (grouped.size() < kHugeScene) built.place.resize(grouped.size());
     std::vector<std::int32_t> next = kind_starts;
     for (std::size_t i = 0; i < built.order.size(); ++i) {
       std::size_t kind = 0;

@@ -8,31 +8,39 @@ namespace {
 constexpr float kLeafCost = 1;
 /// Ranges of several kinds up to this size are cut where the kinds change.
 constexpr std::size_t kFew = 4;
+/// Ranges from here to there may end in full leaves; smaller ones of one kind are found among
+/// shapes of other kinds.
+constexpr std::size_t kFullFrom = kNodeWidth + 1, kFullTo = 64;
 /// So many halvings by numbers alone end at single references.
 constexpr int kLastLevels = 15;
 
 }  // namespace
 
-Collapse::Collapse(const Range& range, int levels, const Kinds& kinds, CollapseRules rules) {
+Collapse::Collapse(const Range& range, int levels, const Kinds& kinds, const CollapseRules& rules) {
   parts_.reserve(2 * range.size());
-  add(range, levels, kinds, rules);
+  add(range, levels, kinds, rules, false);
 }
 
 std::int32_t Collapse::add(const Range& range, int levels, const Kinds& kinds,
-                           CollapseRules rules) {
+                           const CollapseRules& rules, bool full_leaves) {
   const std::size_t place = parts_.size(), size = range.size();
   parts_.emplace_back();
   Part part;
   part.begin = range.begin, part.end = range.end, part.bounds = range.bounds;
   part.left = part.right = 0;
-  const bool one_kind = size <= std::max(rules.most, kFew) && kinds.are_one(range);
-  if (size > 1 && !(one_kind && size <= rules.whole)) {
+  if (rules.full_leaves && !full_leaves && size >= kFullFrom && size <= kFullTo)
+    full_leaves = kinds.are_one(range);
+  const bool one_kind = full_leaves || (size <= std::max(rules.most, kFew) && kinds.are_one(range));
+  const std::size_t whole = full_leaves ? kNodeWidth : rules.whole;
+  if (size > 1 && !(one_kind && size <= whole)) {
     const auto [left, right] =
-        size <= kFew && !one_kind ? kinds.split(range) : split(range, levels <= kLastLevels);
-    part.left = add(left, levels - 1, kinds, rules);
-    part.right = add(right, levels - 1, kinds, rules);
+        size <= kFew && !one_kind
+            ? kinds.split(range)
+            : split(range, full_leaves ? kNodeWidth : 1, levels <= kLastLevels);
+    part.left = add(left, levels - 1, kinds, rules, full_leaves);
+    part.right = add(right, levels - 1, kinds, rules, full_leaves);
   }
-  price(part, one_kind && size <= rules.most, rules.node_cost);
+  price(part, one_kind && size <= std::max(rules.most, whole), rules.node_cost);
   parts_[place] = part;
   return static_cast<std::int32_t>(place);
 }

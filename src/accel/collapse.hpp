@@ -15,6 +15,9 @@ struct CollapseRules {
   std::size_t whole;  ///< ranges of one kind up to this size are not halved any further
   std::size_t most;   ///< references that a leaf has at most, up to kNodeWidth
   float node_cost;    ///< what a ray pays for a node that it visits; 1 for a shape, 1 for a leaf
+  /// Among ranges of up to 64 references, those of one kind end in leaves as full as can be: fewer
+  /// nodes, which are what large scenes wait for.
+  bool full_leaves;
 };
 
 /// A binary tree by the surface area heuristic over a range, and the cheapest way to make nodes of
@@ -25,7 +28,7 @@ class Collapse {
  public:
   /// Reorders the range's references, fewer than 2^14. Nodes have at most `levels` levels, of which
   /// there are fifteen or more.
-  Collapse(const Range& range, int levels, const Kinds& kinds, CollapseRules rules);
+  Collapse(const Range& range, int levels, const Kinds& kinds, const CollapseRules& rules);
 
   /// A part of the range.
   struct Part {
@@ -55,7 +58,8 @@ class Collapse {
   }
 
  private:
-  std::int32_t add(const Range& range, int levels, const Kinds& kinds, CollapseRules rules);
+  std::int32_t add(const Range& range, int levels, const Kinds& kinds, const CollapseRules& rules,
+                   bool full_leaves);
   void price(Part& part, bool can_be_leaf, float node_cost) const;
   const Part& at(std::int32_t part) const { return parts_[static_cast<std::size_t>(part)]; }
 

@@ -91,8 +91,12 @@ struct Split {
   Bounds left, right;
 };
 
-Split best_split(const Range& range, const Binning& binning) {
+Split best_split(const Range& range, const Binning& binning, std::uint32_t leaf) {
   const Bins bins = binned_by_tasks(range, binning);
+  const auto cost_of = [leaf](const Bin& side) {
+    const std::uint32_t leaves = leaf == 1 ? side.count : (side.count + leaf - 1) / leaf;
+    return side.bounds.half_area() * static_cast<float>(leaves);
+  };
   Split best;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!(binning.scale[static_cast<int>(axis)] > 0)) continue;
@@ -103,14 +107,14 @@ Split best_split(const Range& range, const Binning& binning) {
     for (std::size_t b = 0; b + 1 < count; ++b) {
       sum.bounds.include(bins.at(axis, b).bounds);
       sum.count += bins.at(axis, b).count;
-      left[b + 1] = sum.bounds.half_area() * static_cast<float>(sum.count);
+      left[b + 1] = cost_of(sum);
     }
     sum = {};
     for (std::size_t b = count - 1; b > 0; --b) {
       sum.bounds.include(bins.at(axis, b).bounds);
       sum.count += bins.at(axis, b).count;
       if (sum.count == 0 || sum.count == range.size()) continue;
-      const float cost = left[b] + sum.bounds.half_area() * static_cast<float>(sum.count);
+      const float cost = left[b] + cost_of(sum);
       if (cost < best.cost) best = {axis, b, cost, {}, sum.bounds};
     }
   }
@@ -149,9 +153,9 @@ Bounds centers_by_tasks(const BuildRef* begin, const BuildRef* end) {
   return centers;
 }
 
-std::pair<Range, Range> split(const Range& range, bool anyhow) {
+std::pair<Range, Range> split(const Range& range, std::uint32_t leaf, bool anyhow) {
   const Binning binning(range, range.size() < kFewBinsSize ? kBins / 2 : kBins);
-  const Split best = anyhow || range.size() == 2 ? Split{} : best_split(range, binning);
+  const Split best = anyhow || range.size() == 2 ? Split{} : best_split(range, binning, leaf);
   if (best.axis == 3) {  // two, or equal centres: any halves will do
     BuildRef* middle = range.begin + range.size() / 2;
     return {range_of(range.begin, middle), range_of(middle, range.end)};

@@ -100,8 +100,9 @@ struct Binning {
   }
 };
 
-/// The two parts of a range, neither empty, that cost least by the surface area heuristic; halves
-/// where `anyhow` is set or all centres are equal. The range has at least two references.
-std::pair<Range, Range> split(const Range& range, bool anyhow);
+/// The two parts of a range, neither empty, that cost least by the surface area heuristic, where a
+/// part costs as much as the next multiple of `leaf` references; halves where `anyhow` is set or
+/// all centres are equal. The range has at least two references.
+std::pair<Range, Range> split(const Range& range, std::uint32_t leaf, bool anyhow);
 
 }  // namespace zraka
