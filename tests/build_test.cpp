@@ -114,5 +114,30 @@ TEST(Build, SplitsLeavesWhereThatHalvesWhatRaysMeet) {
   EXPECT_EQ(leaves_of(std::move(quads)), std::vector<int>(6, 2)) << "halves of a quad: together";
 }
 
+/// How many primitives a leaf has in the mean, of so many cubes anywhere; every second one is of
+/// another kind if they are two.
+double fill_of(std::int32_t count, int kinds) {
+  BuildRefs refs(static_cast<std::size_t>(count));
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<float> anywhere(-1, 1);
+  for (std::int32_t i = 0; i < count; ++i) {
+    const float x = anywhere(generator), y = anywhere(generator), z = anywhere(generator),
+                d = 0.01f;
+    refs[static_cast<std::size_t>(i)] = {{x, y, z}, {x + d, y + d, z + d}, i};
+  }
+  std::vector<std::int32_t> kind_starts = {0, count / kinds};
+  if (kinds == 2) kind_starts.push_back(count);
+  int leaves = 0;
+  for (const Node& node : build_hierarchy(std::move(refs), kind_starts).nodes)
+    for (const std::int32_t leaf : node.leaf) leaves += leaf != 0 && leaf != kNoChild ? 1 : 0;
+  return static_cast<double>(count) / leaves;
+}
+
+TEST(Build, FillsLeavesOfOneKindInLargeScenes) {
+  EXPECT_LT(fill_of(10000, 1), 2) << "nodes stay in the cache";
+  EXPECT_GT(fill_of(70000, 1), 12) << "nodes do not: 2.1 otherwise";
+  EXPECT_LT(fill_of(70000, 2), 2) << "kinds mix";
+}
+
 }  // namespace
 }  // namespace zraka
