@@ -27,6 +27,8 @@ CollapseRules rules_for(std::size_t shapes) {
 }
 /// Ranges from this size on are cut into sixteen at once.
 constexpr std::size_t kGridSize = 16384;
+/// Children of such nodes from this size on are built by a task each.
+constexpr std::size_t kChildTaskSize = 512;
 /// Below this many levels of nodes such ranges are cut by numbers, whatever the heuristic says:
 /// that bounds the traversal's stack, with five levels for 2^31 shapes and sixteen for kGridSize.
 constexpr int kFreeDepth = kMaxNodeDepth - 21;
@@ -132,7 +134,7 @@ std::int32_t Builder::add_node(const Range& whole, int depth) {
   to_tasks.give();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const Range& range = ranges[i];
-    if (range.size() >= kTaskSize)
+    if (range.size() >= kChildTaskSize)
       tasks.run([&, i, depth] {
         to_tasks.take();
         set_child(node, i, range, depth + 1);

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accel/collapse.hpp"
 
+#include <tbb/task_group.h>
+
+#include <algorithm>
+
+#include "core/handover.hpp"
+
 namespace zraka {
 namespace {
 
@@ -11,38 +17,60 @@ constexpr std::size_t kFew = 4;
 /// Ranges from here to there may end in full leaves; smaller ones of one kind are found among
 /// shapes of other kinds.
 constexpr std::size_t kFullFrom = kNodeWidth + 1, kFullTo = 64;
+/// Halves from this size on are halved further by a task each.
+constexpr std::size_t kHalvingTaskSize = 256;
 /// So many halvings by numbers alone end at single references.
 constexpr int kLastLevels = 15;
 
 }  // namespace
 
-Collapse::Collapse(const Range& range, int levels, const Kinds& kinds, const CollapseRules& rules) {
-  parts_.reserve(2 * range.size());
-  add(range, levels, kinds, rules, false);
+Collapse::Collapse(const Range& range, int levels, const Kinds& kinds, const CollapseRules& rules)
+    : parts_(new Part[2 * range.size()]) {
+  add(0, range, levels, false, {kinds, rules});
 }
 
-std::int32_t Collapse::add(const Range& range, int levels, const Kinds& kinds,
-                           const CollapseRules& rules, bool full_leaves) {
-  const std::size_t place = parts_.size(), size = range.size();
-  parts_.emplace_back();
-  Part part;
+void Collapse::add(std::int32_t place, const Range& range, int levels, bool full_leaves,
+                   const Plan& plan) {
+  const CollapseRules& rules = plan.rules;
+  const std::size_t size = range.size();
+  Part& part = parts_[static_cast<std::size_t>(place)];
   part.begin = range.begin, part.end = range.end, part.bounds = range.bounds;
   part.left = part.right = 0;
   if (rules.full_leaves && !full_leaves && size >= kFullFrom && size <= kFullTo)
-    full_leaves = kinds.are_one(range);
-  const bool one_kind = full_leaves || (size <= std::max(rules.most, kFew) && kinds.are_one(range));
+    full_leaves = plan.kinds.are_one(range);
+  const bool one_kind =
+      full_leaves || (size <= std::max(rules.most, kFew) && plan.kinds.are_one(range));
   const std::size_t whole = full_leaves ? kNodeWidth : rules.whole;
   if (size > 1 && !(one_kind && size <= whole)) {
     const auto [left, right] =
         size <= kFew && !one_kind
-            ? kinds.split(range)
+            ? plan.kinds.split(range)
             : split(range, full_leaves ? kNodeWidth : 1, levels <= kLastLevels);
-    part.left = add(left, levels - 1, kinds, rules, full_leaves);
-    part.right = add(right, levels - 1, kinds, rules, full_leaves);
+    part.left = place + 1;
+    part.right = place + static_cast<std::int32_t>(2 * left.size());
+    add_both(part, left, right, levels - 1, full_leaves, plan);
   }
   price(part, one_kind && size <= std::max(rules.most, whole), rules.node_cost);
-  parts_[place] = part;
-  return static_cast<std::int32_t>(place);
+}
+
+void Collapse::add_both(const Part& part, const Range& left, const Range& right, int levels,
+                        bool full_leaves, const Plan& plan) {
+  if (left.size() < kHalvingTaskSize || right.size() < kHalvingTaskSize) {
+    add(part.left, left, levels, full_leaves, plan);
+    add(part.right, right, levels, full_leaves, plan);
+    return;
+  }
+  tbb::task_group tasks;
+  Handover to_task, from_task;
+  to_task.give();
+  tasks.run([&] {
+    to_task.take();
+    add(part.right, right, levels, full_leaves, plan);
+    from_task.give();
+  });
+  add(part.left, left, levels, full_leaves, plan);
+  tasks.wait();
+  from_task.take();
 }
 
 void Collapse::price(Part& part, bool can_be_leaf, float node_cost) const {

@@ -4,7 +4,7 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 #include "accel/kinds.hpp"
 
@@ -26,8 +26,8 @@ struct CollapseRules {
 /// Ray Traversal on GPUs Through Compressed Wide BVHs", 2017).
 class Collapse {
  public:
-  /// Reorders the range's references, fewer than 2^14. Nodes have at most `levels` levels, of which
-  /// there are fifteen or more.
+  /// Reorders the range's references, fewer than 2^14, by several tasks where there are many. Nodes
+  /// have at most `levels` levels, of which there are fifteen or more.
   Collapse(const Range& range, int levels, const Kinds& kinds, const CollapseRules& rules);
 
   /// A part of the range.
@@ -58,10 +58,16 @@ class Collapse {
   }
 
  private:
-  std::int32_t add(const Range& range, int levels, const Kinds& kinds, const CollapseRules& rules,
-                   bool full_leaves);
+  /// What all halvings share.
+  struct Plan {
+    const Kinds& kinds;
+    const CollapseRules& rules;
+  };
+  void add(std::int32_t place, const Range& range, int levels, bool full_leaves, const Plan& plan);
+  void add_both(const Part& part, const Range& left, const Range& right, int levels,
+                bool full_leaves, const Plan& plan);
   void price(Part& part, bool can_be_leaf, float node_cost) const;
-  const Part& at(std::int32_t part) const { return parts_[static_cast<std::size_t>(part)]; }
+  const Part& at(std::int32_t place) const { return parts_[static_cast<std::size_t>(place)]; }
 
   template <class Function>
   void each_of(const Part& part, int children, const Function& function) const {
@@ -72,7 +78,9 @@ class Collapse {
     each_of(at(part.right), children - from_left, function);
   }
 
-  std::vector<Part> parts_;
+  /// Whatever tasks do when, each part has its place: the parts of n references are at most 2n - 1,
+  /// the first half's next to their whole and the second half's behind those.
+  std::unique_ptr<Part[]> parts_;
 };
 
 }  // namespace zraka

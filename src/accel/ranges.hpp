@@ -13,7 +13,7 @@
 
 namespace zraka {
 
-/// Ranges from this size on are built by a task of their own.
+/// So many references are a small piece of work for a task that only looks at them.
 inline constexpr std::size_t kTaskSize = 4096;
 /// Bins along an axis.
 inline constexpr int kBins = 16;
