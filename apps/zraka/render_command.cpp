@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <future>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -28,7 +29,7 @@ struct Seconds {
   double load = 0, write = 0;
 };
 
-void print_json(const Rendering& rendering, const Seconds& seconds) {
+void print_json(const Rendering& rendering, const Seconds& seconds, const std::string& hash) {
   const RenderStats& s = rendering.stats;
   const nlohmann::ordered_json json = {
       {"seconds",
@@ -45,11 +46,11 @@ void print_json(const Rendering& rendering, const Seconds& seconds) {
       {"bytes", {{"scene", s.scene_bytes}, {"accel", s.accel_bytes}}},
       {"threads", s.threads},
       {"isa", name_of(s.isa)},
-      {"sha256", sha256(rendering.image)}};
+      {"sha256", hash}};
   std::puts(json.dump(2).c_str());
 }
 
-void print_text(const Rendering& rendering, const Seconds& seconds) {
+void print_text(const Rendering& rendering, const Seconds& seconds, const std::string& hash) {
   const RenderStats& s = rendering.stats;
   const auto ms = [](double t) { return t * 1000; };
   fmt::print("time    load {:.1f} ms, build {:.1f} ms, render {:.1f} ms, write {:.1f} ms\n",
@@ -62,7 +63,7 @@ void print_text(const Rendering& rendering, const Seconds& seconds) {
   fmt::print("memory  scene {} bytes, acceleration structure {} bytes\n", grouped(s.scene_bytes),
              grouped(s.accel_bytes));
   fmt::print("with    {} threads, {}\n", s.threads, name_of(s.isa));
-  fmt::print("sha256  {}\n", sha256(rendering.image));
+  fmt::print("sha256  {}\n", hash);
 }
 
 int run(const Words& words) {
@@ -92,13 +93,16 @@ int run(const Words& words) {
   }
   if (!rendering) return fail(rendering.error());
 
+  std::future<std::string> hash;  // takes longer than writing, so it begins before
+  if (!words.stats.empty())
+    hash = std::async(std::launch::async, [&] { return sha256(rendering->image); });
   const auto written_from = std::chrono::steady_clock::now();
   const Result<void> written =
       write_png(rendering->image, words.output, {words.bits, options.profile.transfer});
   if (!written) return fail(written.error());
   seconds.write = since(written_from);
-  if (words.stats == "json") print_json(*rendering, seconds);
-  if (words.stats == "text") print_text(*rendering, seconds);
+  if (words.stats == "json") print_json(*rendering, seconds, hash.get());
+  if (words.stats == "text") print_text(*rendering, seconds, hash.get());
   return kDone;
 }
 
