@@ -157,6 +157,22 @@ TEST(Nff, SaysWhatIsMissing) {
             "f.nff:3:1: error: 'up' does not belong here: expected 'at' of th");
 }
 
+TEST(Nff, IsKnownByItsFirstStatementAlsoIfItIsAShape) {
+  EXPECT_EQ(answer("# a sphere\ns 1 2\n"),
+            "f.nff:2:1: error: 's' has no material: expected 'f' before the first shape\n"
+            "  s 1 2\n"
+            "  ^\n"
+            "f.nff:3:1: error: the file ends: expected the sphere's centre\n"
+            "  \n"
+            "  ^\n"
+            "f.nff:3:1: error: the file has no view: expected 'v'\n"
+            "  \n"
+            "  ^\n");
+  for (const std::string first : {"s 0 0 0 1\n", "p 3\n", "pp 3\n", "c\n"})
+    EXPECT_EQ(answer(first).find("eye"), std::string::npos) << first;
+  EXPECT_NE(answer("s kuglama\n").find("eye"), std::string::npos) << "a word of the lab's";
+}
+
 TEST(Nff, RefusesViewsOfNothing) {
   const auto view = [](const std::string& at, const std::string& up, const std::string& angle,
                        const std::string& size) {

@@ -20,7 +20,7 @@ struct Format {
   Result<ReadScene> (*parse)(std::string_view text, const std::string& name, const Passed& passed);
 };
 
-/// Does the text begin, comments aside, with a word of NFF that stands before shapes?
+/// Does the text begin, comments aside, with a statement of NFF, whether or not it may stand first?
 bool looks_like_nff(std::string_view text);
 Result<ReadScene> parse_nff(std::string_view text, const std::string& name, const Passed& passed);
 /// The same by blocks of about so many bytes, on all threads.

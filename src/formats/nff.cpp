@@ -47,10 +47,15 @@ bool looks_like_nff(std::string_view text) {
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
     const std::string_view words = trimmed(line);
-    if (!words.empty() && words.front() != '#')
-      return words == "v" || ((words.front() == 'v' || words.front() == 'b' ||
-                               words.front() == 'l' || words.front() == 'f') &&
-                              words.size() > 1 && (words[1] == ' ' || words[1] == '\t'));
+    if (!words.empty() && words.front() != '#') {
+      if (words == "v" || words == "c") return true;
+      const std::size_t end = words.find_first_of(" \t");
+      if (end == std::string_view::npos) return false;
+      const std::string_view word = words.substr(0, end), rest = trimmed(words.substr(end));
+      if (word == "v" || word == "b" || word == "l" || word == "f") return true;
+      return (word == "s" || word == "p" || word == "pp") &&
+             std::string_view("0123456789+-.").find(rest.front()) != std::string_view::npos;
+    }
     text.remove_prefix(std::min(text.size(), line.size() + 1));
   }
   return false;
