@@ -82,7 +82,7 @@ TEST(Places, CutLongLinesAndHideControls) {
 }
 
 TEST(Shown, CutsAndCleans) {
-  EXPECT_EQ(shown("a\nb"), "a\uFFFDb");
+  EXPECT_EQ(shown("a\nb\r\nc\rd"), "a\u21B5b\u21B5c\uFFFDd");
   EXPECT_EQ(shown(std::string(100, 'x')), std::string(60, 'x') + "…");
 }
 

@@ -13,6 +13,7 @@ namespace zraka {
 namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
+constexpr std::string_view kLineEnd = "\xE2\x86\xB5";      // U+21B5, the key's arrow
 
 /// Length of the character of UTF-8 that starts the text, 0 if none does.
 std::size_t character_length(std::string_view text) {
@@ -36,6 +37,8 @@ struct Shown {
 Shown show_character(std::string_view text) {
   const std::size_t length = character_length(text);
   const auto first = static_cast<unsigned char>(text.front());
+  if (text.starts_with("\r\n")) return {kLineEnd, 2};
+  if (first == '\n') return {kLineEnd, 1};
   if (length == 0 || first == 0x7F || (first < 0x20 && first != '\t')) return {kReplacement, 1};
   if (first == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0)
     return {kReplacement, 2};  // C1 controls

@@ -45,7 +45,8 @@ class Places {
   Place place_;
 };
 
-/// Text as it can be shown on one line: as excerpt() does it, cut after 60 characters.
+/// Text as it can be shown on one line: as excerpt() does it, line ends as ↵, cut after 60
+/// characters.
 std::string shown(std::string_view text);
 
 /// Text as it stands in an HTML page; what is no character is replaced.
