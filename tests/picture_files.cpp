@@ -160,4 +160,14 @@ std::string exr_file(const ExrKind& kind, const ExrValue& value) {
   return sink.text;
 }
 
+float exr_sample(const std::string& channel, int x, int y) {
+  return 0.25f * static_cast<float>(channel[0]) + static_cast<float>(x) -
+         0.5f * static_cast<float>(y);
+}
+
+std::string error_of(std::string_view bytes, std::uint64_t max_pixels) {
+  const Result<ReadImage> read = parse_image(bytes, "a", max_pixels);
+  return read ? "read" : to_string(read.error().front());
+}
+
 }  // namespace zraka

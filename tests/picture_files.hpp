@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 #include <zraka/image.hpp>
+#include <zraka/limits.hpp>
 
 namespace zraka {
 
@@ -46,5 +48,10 @@ struct ExrKind {
 };
 using ExrValue = std::function<float(const std::string& channel, int x, int y)>;
 std::string exr_file(const ExrKind& kind, const ExrValue& value);
+/// A value that is another one in each channel and at most places, exact as a half.
+float exr_sample(const std::string& channel, int x, int y);
+
+/// What is wrong with a file called "a" of these bytes, or "read".
+std::string error_of(std::string_view bytes, std::uint64_t max_pixels = kMaxPixels);
 
 }  // namespace zraka
