@@ -67,7 +67,7 @@ float cost_of(const BuiltHierarchy& built) {
       const Box box{{node.lower_x[i], node.lower_y[i], node.lower_z[i]},
                     {node.upper_x[i], node.upper_y[i], node.upper_z[i]}};
       all.include(box);
-      const auto shapes = static_cast<float>(node.leaf[i] % (2 * kNodeWidth));
+      const auto shapes = static_cast<float>(leaf_count(node.leaf[i]));
       if (shapes > 0) cost += half_area(box) * (1 + shapes);
     }
     cost += 2 * half_area(all);
@@ -99,7 +99,7 @@ std::vector<int> leaves_of(BuildRefs refs) {
   const BuiltHierarchy built = build_hierarchy(std::move(refs), {0, count});
   std::vector<int> counts;
   for (const std::int32_t leaf : built.nodes[0].leaf)
-    if (leaf != kNoChild) counts.push_back(leaf % (2 * kNodeWidth));
+    if (leaf != kNoChild) counts.push_back(leaf_count(leaf));
   return counts;
 }
 

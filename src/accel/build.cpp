@@ -172,7 +172,7 @@ void Builder::set_child(Node& node, std::size_t i, const Collapse& collapse,
   set_box(node, i, part.bounds);
   if (part.leaf) {
     node.child[i] = static_cast<std::int32_t>(part.begin - refs_);
-    node.leaf[i] = static_cast<std::int32_t>(part.size()) + 2 * kNodeWidth * kinds_.of(*part.begin);
+    node.leaf[i] = leaf_of(static_cast<std::int32_t>(part.size()), kinds_.of(*part.begin));
   } else {
     node.child[i] = add_node(collapse, part);
     node.leaf[i] = 0;

@@ -8,17 +8,6 @@
 
 namespace zraka::ZRAKA_ISA {
 
-/// Parts of Node::leaf.
-ZRAKA_INLINE std::int32_t leaf_count(std::int32_t leaf) {
-  return leaf & (2 * kNodeWidth - 1);
-}
-ZRAKA_INLINE std::int32_t leaf_kind(std::int32_t leaf) {
-  return leaf / (2 * kNodeWidth);
-}
-ZRAKA_INLINE std::int32_t leaf_of(std::int32_t count, std::int32_t kind) {
-  return count + 2 * kNodeWidth * kind;
-}
-
 /// Whether it takes fewer tests to have the shapes in lanes than to have the rays there.
 template <class L>
 ZRAKA_INLINE bool shapes_in_lanes(std::uint32_t rays, std::int32_t leaf) {

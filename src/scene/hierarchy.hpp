@@ -17,6 +17,17 @@ inline constexpr int kMaxNodeDepth = 64;
 /// numbers may come to it through its empty box, and find nothing.
 inline constexpr std::int32_t kNoChild = std::int32_t{1} << 20;
 
+/// Node::leaf of a leaf, and its parts.
+constexpr std::int32_t leaf_of(std::int32_t count, std::int32_t kind) {
+  return count + 2 * kNodeWidth * kind;
+}
+constexpr std::int32_t leaf_count(std::int32_t leaf) {
+  return leaf & (2 * kNodeWidth - 1);
+}
+constexpr std::int32_t leaf_kind(std::int32_t leaf) {
+  return leaf / (2 * kNodeWidth);
+}
+
 /// Sixteen boxes in the engine's frame, a column for each side; boxes of missing children are empty
 /// (lower above upper). Boxes are larger than what they hold by what a primitive's intersection can
 /// err, so that no ray that meets a primitive by its arithmetic can miss the box by its own.
@@ -25,7 +36,8 @@ struct alignas(64) Node {
   float upper_x[kNodeWidth], upper_y[kNodeWidth], upper_z[kNodeWidth];
   /// An inner child: the index of its node. A leaf: its first primitive, among those of its kind.
   std::int32_t child[kNodeWidth];
-  /// An inner child: 0. A leaf: its number of primitives + 32·kind. A missing child: kNoChild.
+  /// An inner child: 0. A leaf: leaf_of() its number of primitives and their kind. A missing child:
+  /// kNoChild.
   std::int32_t leaf[kNodeWidth];
 };
 
@@ -33,8 +45,8 @@ struct alignas(64) Node {
 struct Hierarchy {
   const Node* nodes = nullptr;  ///< the root is the first
   std::int32_t node_count = 0;
-  /// By slot: its place in the order of the leaves, over all kinds; nullptr where that is the slot's
-  /// own number, and in large scenes, which have no memory for it.
+  /// By slot: its place in the order of the leaves, over all kinds; nullptr where that is the
+  /// slot's own number, and in large scenes, which have no memory for it.
   const std::int32_t* place = nullptr;
 };
 
