@@ -2,6 +2,7 @@
 // Rays that go down the hierarchy together.
 #pragma once
 
+#include "accel/pair_queue.hpp"
 #include "accel/ray_lanes.hpp"
 #include "accel/stack.hpp"
 
@@ -54,37 +55,43 @@ class Bundle {
   ZRAKA_INLINE V3<F> directions(typename L::I rays) const { return of_each(3, rays); }
 
   /// Pushes the children that some of the rays meet before their own t, of which `farthest` is the
-  /// greatest; with kInOrder the nearest last.
+  /// greatest; with kInOrder the nearest last. Where rays are few, small leaves become pairs at
+  /// once. Returns the bits of kinds that there are now enough pairs of for a register.
   template <bool kInOrder>
-  ZRAKA_INLINE void push_children(const Node& node, std::uint32_t rays, const R* t, R farthest,
-                                  BundleStack<L>& stack) const {
-    const int count = __builtin_popcount(rays), before = stack.size();
+  ZRAKA_INLINE std::uint32_t push_children(const Node& node, std::uint32_t rays, const R* t,
+                                           R farthest, BundleStack<L>& stack,
+                                           Pairs<L>& pairs) const {
+    const auto count = static_cast<std::size_t>(__builtin_popcount(rays));
+    const bool few = count <= FewRays<L>::kMost;
+    const int before = stack.size();
     bool in_order = L::kWidth >= kNodeWidth;
+    std::uint32_t kinds = 0;
     for (std::size_t k = 0; k < kNodeWidth; k += L::kWidth) {
-      if (!coherent_) {
-        push_ray_by_ray<false, kInOrder>(node, k, rays, t, stack);
+      if (few) {
+        kinds |= coherent_                                    ? push_ray_by_ray < true, kInOrder,
+            L::kWidth != 1 > (node, k, rays, t, stack, pairs) : push_ray_by_ray < false, kInOrder,
+            L::kWidth != 1 > (node, k, rays, t, stack, pairs);
         continue;
       }
-      if (count <= kFewRays) {
-        push_ray_by_ray<true, kInOrder>(node, k, rays, t, stack);
+      if (!coherent_) {
+        push_ray_by_ray<false, kInOrder, false>(node, k, rays, t, stack, pairs);
         continue;
       }
       alignas(64) R nearest[L::kWidth];
       const std::uint32_t met = candidates(node, k, farthest, nearest);
-      if (count < static_cast<int>(kRegisters<L>) * __builtin_popcount(met)) {
-        push_ray_by_ray<true, kInOrder>(node, k, rays, t, stack);
+      if (count < kRegisters<L> * static_cast<std::size_t>(__builtin_popcount(met))) {
+        push_ray_by_ray<true, kInOrder, false>(node, k, rays, t, stack, pairs);
       } else {
         push_box_by_box(node, k, met, rays, t, nearest, stack);
         in_order = false;
       }
     }
     if (kInOrder && !in_order) stack.sort_from(before);
+    return kinds;
   }
 
  private:
   static constexpr std::size_t kColumns = 12;
-  /// For so few rays what all have in common costs as much as each ray's own test.
-  static constexpr int kFewRays = 4;
 
   ZRAKA_INLINE V3<F> of_one(std::size_t column, std::size_t i) const {
     return {F(single_[column][i]), F(single_[column + 1][i]), F(single_[column + 2][i])};
@@ -179,10 +186,12 @@ class Bundle {
   }
 
   /// Each of the rays against all the boxes [k, k + kWidth) at once, where these are fewer tests or
-  /// the rays go to different sides.
-  template <bool kSameSides, bool kInOrder>
-  ZRAKA_INLINE void push_ray_by_ray(const Node& node, std::size_t k, std::uint32_t rays, const R* t,
-                                    BundleStack<L>& stack) const {
+  /// the rays go to different sides. With kPairs the rays must be few. Returns what
+  /// push_children() returns.
+  template <bool kSameSides, bool kInOrder, bool kPairs>
+  ZRAKA_INLINE std::uint32_t push_ray_by_ray(const Node& node, std::size_t k, std::uint32_t rays,
+                                             const R* t, BundleStack<L>& stack,
+                                             Pairs<L>& pairs) const {
     using I = typename L::I;
     const auto sides = [k](const Axis& axis, const float* lower, const float* upper) {
       const bool back = kSameSides && axis.back;
@@ -193,29 +202,44 @@ class Bundle {
     const Slab z = sides(z_, node.lower_z, node.upper_z);
     I through(0);  // by box: the rays that meet it
     F nearest(kFarAway<R>);
-    for (std::uint32_t left = rays; left != 0; left &= left - 1) {
+    FewRays<L> few;
+    std::size_t asked = 0;
+    for (std::uint32_t left = rays; left != 0; left &= left - 1, ++asked) {
       const auto i = static_cast<std::size_t>(__builtin_ctz(left));
-      const auto slab = [&](const Slab& side, std::size_t axis) {
+      F enter[3], leave[3];
+      const auto cut = [&](const Slab& side, std::size_t axis) {
         const F inverse(single_[6 + axis][i]), scaled(single_[9 + axis][i]);
         const F a = roughly_mul_sub(side.enter, inverse, scaled);
         const F b = roughly_mul_sub(side.leave, inverse, scaled);
-        return kSameSides ? Slab{a, b} : Slab{min(a, b), max(a, b)};
+        if constexpr (kSameSides)
+          enter[axis] = a, leave[axis] = b;
+        else
+          enter[axis] = min(a, b), leave[axis] = max(a, b);
       };
-      const Slab sx = slab(x, 0), sy = slab(y, 1), sz = slab(z, 2);
-      const F enter = max(max(sx.enter, sy.enter), max(sz.enter, F(0)));
-      const F leave = min(min(sx.leave, sy.leave), min(sz.leave, F(t[i])));
-      const auto met = enter <= leave;
+      cut(x, 0), cut(y, 1), cut(z, 2);
+      const F in = max(max(enter[0], enter[1]), max(enter[2], F(0)));
+      const F out = min(min(leave[0], leave[1]), min(leave[2], F(t[i])));
+      const auto met = in <= out;
       through = select(met, through + I(static_cast<std::int32_t>(1u << i)), through);
-      nearest = select(met, min(nearest, enter), nearest);
+      nearest = select(met, min(nearest, in), nearest);
+      if constexpr (kPairs) {
+        few.ray[asked] = static_cast<std::int32_t>(i);
+        few.met[asked] = bits(met);
+      }
     }
     // A missing child's box is empty only as long as its sides are not turned round.
     auto met = nearest < F(kFarAway<R>);
     if (!kSameSides) met = both(met, x.enter <= x.leave);
+    std::uint32_t all = bits(met), kinds = 0;
+    if constexpr (kPairs) {
+      few.count = asked;
+      kinds = pair_small_leaves(node, k, few, all, pairs);
+      if (all == 0) return kinds;
+    }
     alignas(64) std::int32_t rays_of[L::kWidth];
     alignas(64) R near[L::kWidth];
     L::store(through, rays_of);
     L::store(nearest, near);
-    const std::uint32_t all = bits(met);
     BundleEntry<R>* const entries = stack.extend(__builtin_popcount(all));
     int place = 0;
     for (std::uint32_t boxes = all; boxes != 0; boxes &= boxes - 1, ++place) {
@@ -229,6 +253,31 @@ class Bundle {
       entries[place] = {near[lane], node.child[i], node.leaf[i],
                         static_cast<std::uint32_t>(rays_of[lane])};
     }
+    return kinds;
+  }
+
+  /// Makes pairs of rays and the shapes of small leaves among the boxes [k, k + kWidth), as far as
+  /// they are among those that any of the rays have met, and takes them from these. Returns
+  /// what push_children() returns.
+  ZRAKA_INLINE std::uint32_t pair_small_leaves(const Node& node, std::size_t k,
+                                               const FewRays<L>& rays, std::uint32_t& met,
+                                               Pairs<L>& pairs) const {
+    using I = typename L::I;
+    const I leaves = L::load(node.leaf + k), first = L::load(node.child + k);
+    std::uint32_t kinds = 0, left = met & ~bits(leaves == I(0));
+    static_assert(kMostInLeaf == 2);
+    for (std::int32_t kind = 0; left != 0 && kind < kKinds; ++kind) {
+      const std::uint32_t one = left & bits(leaves == I(leaf_of(1, kind)));
+      const std::uint32_t two = left & bits(leaves == I(leaf_of(2, kind)));
+      if ((one | two) == 0) continue;
+      PairQueue<L>& queue = pairs.of_kind[kind];
+      queue.add(rays, one | two, first);
+      if (two != 0) queue.add(rays, two, first + I(1));
+      if (queue.ready(false)) kinds |= 1u << kind;
+      left &= ~(one | two);
+      met &= ~(one | two);
+    }
+    return kinds;
   }
 
   Axis x_, y_, z_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rays of a group against the shapes of a leaf: rays in lanes and shapes one after the other,
-// or the other way round, or pairs of both that wait until they fill a register, whichever takes
-// fewer tests.
+// or the other way round, whichever takes fewer tests; and the pairs that have waited.
 #pragma once
 
 #include "accel/pairs.hpp"
@@ -82,13 +81,13 @@ struct Nearest {
     slot[i] = found;
     return true;
   }
-  /// Pairs of rays and shapes meet, up to a register of them. True if any ray has another hit than
+  /// A queue's first pairs meet, up to a register of them. True if any ray has another hit than
   /// before.
   template <class Shape>
   bool meet(const FrozenScene<R>& scene, const FrozenShapes<R, Shape>& shapes,
-            const Bundle<L>& bundle, PairQueue<L>& pairs) {
+            const Bundle<L>& bundle, PairQueue<L>& queue) {
     using F = typename L::F;
-    const auto met = pairs.template take<Shape>(bundle);
+    const auto met = meet_pairs<L>(shapes, bundle, queue);
     const auto nearer = both(met.distance > F(0), met.distance <= L::look_up(t, met.ray));
     std::uint32_t lanes = bits(both(nearer, met.active));
     if (lanes == 0) return false;
@@ -107,24 +106,12 @@ struct Nearest {
   }
 };
 
-/// The nearest hits of an entry's rays in its leaf, into `rays` and `nearest`, or later, from
-/// `pairs`. True if any are new.
+/// The nearest hits of an entry's rays in its leaf, into `rays` and `nearest`. True if any are new.
 template <class L, class R = typename L::Real>
 ZRAKA_INLINE bool nearest_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& bundle,
                                   const BundleEntry<R>& entry, RayGroup<L>& rays,
-                                  Nearest<L>& nearest, Pairs<L>& pairs) {
+                                  Nearest<L>& nearest) {
   bool changed = false;
-  if (better_as_pairs<L>(entry.rays, leaf_count(entry.leaf))) {
-    PairQueue<L>& queue = pairs.of_kind[leaf_kind(entry.leaf)];
-    with_kind(scene, leaf_kind(entry.leaf), [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
-      for (std::int32_t i = 0; i < leaf_count(entry.leaf); ++i) {
-        queue.add(shapes, entry.child + i, entry.rays);
-        while (queue.full()) changed |= nearest.meet(scene, shapes, bundle, queue);
-      }
-    });
-    if (changed) nearest.give(rays);
-    return changed;
-  }
   std::uint32_t one_by_one = 0;
   for (std::size_t r = 0; r < kRegisters<L>; ++r) {
     const std::uint32_t mine = in_register<L>(entry.rays, r);
@@ -153,14 +140,22 @@ ZRAKA_INLINE bool nearest_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& 
   return changed || more;
 }
 
-/// What is left of the pairs.
+/// The nearest hits of pairs of some kinds, a bit each: of as many as fill registers, or of all.
+/// True if any are new.
 template <class L, class R = typename L::Real>
-ZRAKA_INLINE void nearest_of_pairs(const FrozenScene<R>& scene, const Bundle<L>& bundle,
-                                   Pairs<L>& pairs, Nearest<L>& nearest) {
-  for (std::int32_t kind = 0; kind < kKinds; ++kind)
-    if (PairQueue<L>& queue = pairs.of_kind[kind]; !queue.empty())
-      with_kind(scene, kind,
-                [&](const auto& shapes) { (void)nearest.meet(scene, shapes, bundle, queue); });
+ZRAKA_INLINE bool nearest_of_pairs(const FrozenScene<R>& scene, const Bundle<L>& bundle,
+                                   Pairs<L>& pairs, std::uint32_t kinds, bool all,
+                                   RayGroup<L>& rays, Nearest<L>& nearest) {
+  bool changed = false;
+  for (; kinds != 0; kinds &= kinds - 1) {
+    const std::int32_t kind = __builtin_ctz(kinds);
+    if (PairQueue<L>& queue = pairs.of_kind[kind]; queue.ready(all))
+      with_kind(scene, kind, [&](const auto& shapes) {
+        while (queue.ready(all)) changed |= nearest.meet(scene, shapes, bundle, queue);
+      });
+  }
+  if (changed) nearest.give(rays);
+  return changed;
 }
 
 /// The shapes that blocked a ray last, as a leaf: what throws a shadow on one point mostly throws
@@ -169,14 +164,14 @@ struct LastBlocker {
   std::int32_t child = 0, leaf = 0;
 };
 
-/// Pairs of rays and shapes meet, up to a register of them: the rays that are blocked nearer than
+/// A queue's first pairs meet, up to a register of them: the rays that are blocked nearer than
 /// their t, a bit each.
 template <class L, class Shape, class R = typename L::Real>
-std::uint32_t blocked_by_pairs(const FrozenShapes<R, Shape>&, std::int32_t kind,
-                               const Bundle<L>& bundle, PairQueue<L>& pairs, const R* t,
+std::uint32_t blocked_in_queue(const FrozenShapes<R, Shape>& shapes, std::int32_t kind,
+                               const Bundle<L>& bundle, PairQueue<L>& queue, const R* t,
                                LastBlocker& last) {
   using F = typename L::F;
-  const auto met = pairs.template take<Shape>(bundle);
+  const auto met = meet_pairs<L>(shapes, bundle, queue);
   const auto nearer = both(met.distance > F(0), met.distance < L::look_up(t, met.ray));
   std::uint32_t lanes = bits(both(nearer, met.active)), blocked = 0;
   if (lanes == 0) return 0;
@@ -187,27 +182,32 @@ std::uint32_t blocked_by_pairs(const FrozenShapes<R, Shape>&, std::int32_t kind,
   return blocked;
 }
 
-/// Which of the rays meet a shape of the entry's leaf nearer than their t, or a shape of earlier
-/// entries' pairs; `t` has the same as the group.
+/// Which rays pairs of some kinds block, a bit each: as many pairs as fill registers, or all.
+template <class L, class R = typename L::Real>
+ZRAKA_INLINE std::uint32_t blocked_by_pairs(const FrozenScene<R>& scene, const Bundle<L>& bundle,
+                                            const R* t, Pairs<L>& pairs, std::uint32_t kinds,
+                                            bool all, LastBlocker& last) {
+  std::uint32_t blocked = 0;
+  for (; kinds != 0; kinds &= kinds - 1) {
+    const std::int32_t kind = __builtin_ctz(kinds);
+    if (PairQueue<L>& queue = pairs.of_kind[kind]; queue.ready(all))
+      with_kind(scene, kind, [&](const auto& shapes) {
+        while (queue.ready(all))
+          blocked |= blocked_in_queue<L>(shapes, kind, bundle, queue, t, last);
+      });
+  }
+  return blocked;
+}
+
+/// Which of the rays meet a shape of the entry's leaf nearer than their t; `t` has the same as the
+/// group.
 template <class L, class R = typename L::Real>
 ZRAKA_INLINE std::uint32_t blocked_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& bundle,
                                            const BundleEntry<R>& entry, std::uint32_t rays,
-                                           const RayGroup<L>& group, const R* t, Pairs<L>& pairs,
+                                           const RayGroup<L>& group, const R* t,
                                            LastBlocker& last) {
   using F = typename L::F;
   std::uint32_t blocked_rays = 0, one_by_one = 0;
-  if (better_as_pairs<L>(rays, leaf_count(entry.leaf))) {
-    const std::int32_t kind = leaf_kind(entry.leaf);
-    PairQueue<L>& queue = pairs.of_kind[kind];
-    with_kind(scene, kind, [&](const auto& shapes) {
-      for (std::int32_t i = 0; i < leaf_count(entry.leaf); ++i) {
-        queue.add(shapes, entry.child + i, rays);
-        while (queue.full())
-          blocked_rays |= blocked_by_pairs<L>(shapes, kind, bundle, queue, t, last);
-      }
-    });
-    return blocked_rays;
-  }
   for (std::size_t r = 0; r < kRegisters<L>; ++r) {
     const std::uint32_t mine = in_register<L>(rays, r);
     if (mine == 0) continue;
@@ -235,19 +235,6 @@ ZRAKA_INLINE std::uint32_t blocked_in_leaf(const FrozenScene<R>& scene, const Bu
                         });
   if (blocked_rays != 0) last = {entry.child, entry.leaf};
   return blocked_rays;
-}
-
-/// Which of the rays what is left of the pairs blocks.
-template <class L, class R = typename L::Real>
-ZRAKA_INLINE std::uint32_t blocked_by_pairs(const FrozenScene<R>& scene, const Bundle<L>& bundle,
-                                            const R* t, Pairs<L>& pairs, LastBlocker& last) {
-  std::uint32_t blocked = 0;
-  for (std::int32_t kind = 0; kind < kKinds; ++kind)
-    if (PairQueue<L>& queue = pairs.of_kind[kind]; !queue.empty())
-      with_kind(scene, kind, [&](const auto& shapes) {
-        blocked |= blocked_by_pairs<L>(shapes, kind, bundle, queue, t, last);
-      });
-  return blocked;
 }
 
 }  // namespace zraka::ZRAKA_ISA

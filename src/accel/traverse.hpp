@@ -43,14 +43,20 @@ void nearest_in_hierarchy(const FrozenScene<R>& scene, RayGroup<L>& rays) {
   while (!stack.empty()) {
     const BundleEntry<R> entry = stack.pop();
     if (entry.t > farthest) continue;
-    if (entry.leaf == 0) {
-      bundle.template push_children<true>(scene.hierarchy.nodes[entry.child], entry.rays, nearest.t,
-                                          farthest, stack);
-    } else if (nearest_in_leaf<L>(scene, bundle, entry, rays, nearest, pairs)) {
-      farthest = farthest_of(rays);
-    }
+    bool changed = false;
+    std::uint32_t kinds = 0;  // with pairs enough for a register
+    if (entry.leaf == 0)
+      kinds = bundle.template push_children<true>(scene.hierarchy.nodes[entry.child], entry.rays,
+                                                  nearest.t, farthest, stack, pairs);
+    else if (better_as_pairs<L>(entry.rays, leaf_count(entry.leaf)))
+      kinds = pairs.add_leaf(entry.rays, entry.child, entry.leaf);
+    else
+      changed = nearest_in_leaf<L>(scene, bundle, entry, rays, nearest);
+    if (kinds != 0)
+      changed = nearest_of_pairs<L>(scene, bundle, pairs, kinds, false, rays, nearest);
+    if (changed) farthest = farthest_of(rays);
   }
-  nearest_of_pairs<L>(scene, bundle, pairs, nearest);
+  nearest_of_pairs<L>(scene, bundle, pairs, pairs.kAllKinds, true, rays, nearest);
   nearest.give(rays);
 }
 
@@ -72,13 +78,16 @@ std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& las
     const BundleEntry<R> entry = stack.pop();
     const std::uint32_t asking = entry.rays & left;
     if (asking == 0) continue;
-    if (entry.leaf == 0) {
-      bundle.template push_children<false>(scene.hierarchy.nodes[entry.child], asking, t, farthest,
-                                           stack);
-      continue;
-    }
-    const std::uint32_t blocked =
-        left & blocked_in_leaf<L>(scene, bundle, entry, asking, rays, t, pairs, last);
+    std::uint32_t blocked = 0, kinds = 0;
+    if (entry.leaf == 0)
+      kinds = bundle.template push_children<false>(scene.hierarchy.nodes[entry.child], asking, t,
+                                                   farthest, stack, pairs);
+    else if (better_as_pairs<L>(asking, leaf_count(entry.leaf)))
+      kinds = pairs.add_leaf(asking, entry.child, entry.leaf);
+    else
+      blocked = blocked_in_leaf<L>(scene, bundle, entry, asking, rays, t, last);
+    if (kinds != 0) blocked = blocked_by_pairs<L>(scene, bundle, t, pairs, kinds, false, last);
+    blocked &= left;
     if (blocked == 0) continue;
     left &= ~blocked;
     for (std::size_t r = 0; r < kRegisters<L>; ++r) {
@@ -87,7 +96,7 @@ std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& las
     }
     farthest = farthest_of(rays);
   }
-  if (left != 0) left &= ~blocked_by_pairs<L>(scene, bundle, t, pairs, last);
+  if (left != 0) left &= ~blocked_by_pairs<L>(scene, bundle, t, pairs, pairs.kAllKinds, true, last);
   return active & ~left;
 }
 

@@ -34,11 +34,16 @@ struct ScalarLanes {
   static ZRAKA_INLINE void store(I v, std::int32_t* p) { *p = v; }
   static ZRAKA_INLINE F gather(const R* base, I index) { return base[index]; }
   static ZRAKA_INLINE I gather(const std::int32_t* base, I index) { return base[index]; }
+  /// out[k] is base[at + k].
+  static ZRAKA_INLINE void gather_four(const R* base, I at, F (&out)[4]) {
+    for (int k = 0; k < 4; ++k) out[k] = base[at + k];
+  }
   /// From a table of as many values as rays go through the scene together.
   static ZRAKA_INLINE F look_up(const R* table, I index) { return table[index]; }
   static ZRAKA_INLINE void scatter(F v, M m, R* base, I index) {
     if (m) base[index] = v;
   }
+  static ZRAKA_INLINE I compress(I v, M) { return v; }
   static ZRAKA_INLINE void compress_store(F v, M m, R* p) {
     if (m) *p = v;
   }

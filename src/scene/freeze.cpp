@@ -201,7 +201,8 @@ Frame frame_of(const Scene& scene) {
 
 template <class R>
 std::uint64_t FrozenStore<R>::bytes() const {
-  return reals.size() * sizeof(R) + (materials.size() + ids.size()) * sizeof(std::int32_t) +
+  return (reals.size() + rows.size()) * sizeof(R) +
+         (materials.size() + ids.size()) * sizeof(std::int32_t) +
          lights.size() * sizeof(FrozenLight<R>);
 }
 
@@ -314,6 +315,33 @@ void refer_to(const FrozenScene<R>& scene, BuildRef* refs) {
 #undef ZRAKA_REFER
 }
 
+namespace {
+
+/// In larger scenes the rows would be memory that few rays read: leaves there are full.
+constexpr std::size_t kMostWithRows = std::size_t{1} << 16;
+
+/// What FrozenShapes::rows says, for all kinds.
+template <class R>
+void add_rows(FrozenStore<R>& store) {
+  FrozenScene<R>& scene = store.scene;
+  std::int32_t reals = 0;
+#define ZRAKA_COUNT(Type, plural) reals += scene.plural.count * scene.plural.kRowReals;
+  ZRAKA_KINDS(ZRAKA_COUNT)
+#undef ZRAKA_COUNT
+  store.rows.resize(static_cast<std::size_t>(reals));
+  R* row = store.rows.data();
+  const auto add = [&]<class Shape>(FrozenShapes<R, Shape>& shapes) {
+    shapes.rows = row;
+    for (std::int32_t i = 0; i < shapes.count; ++i, row += shapes.kRowReals)
+      for (int k = 0; k < ShapeTraits<Shape>::kHitReals; ++k) row[k] = shapes.column[k][i];
+  };
+#define ZRAKA_ADD(Type, plural) add(scene.plural);
+  ZRAKA_KINDS(ZRAKA_ADD)
+#undef ZRAKA_ADD
+}
+
+}  // namespace
+
 template <class R>
 void finish(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
   FrozenScene<R>& scene = store.scene;
@@ -349,6 +377,9 @@ void finish(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
 #define ZRAKA_FINISH(Type, plural) finish_shapes(scene.plural);
   ZRAKA_KINDS(ZRAKA_FINISH)
 #undef ZRAKA_FINISH
+  if (std::is_same_v<R, float> && !hierarchy.order.empty() &&
+      hierarchy.order.size() <= kMostWithRows)
+    add_rows(store);
 }
 
 template std::uint64_t FrozenStore<float>::bytes() const;

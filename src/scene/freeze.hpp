@@ -15,7 +15,7 @@ namespace zraka {
 template <class R>
 struct FrozenStore {
   FrozenScene<R> scene{};
-  std::vector<R> reals;
+  std::vector<R> reals, rows;
   std::vector<std::int32_t> materials, ids;
   std::vector<FrozenLight<R>> lights;
   std::uint64_t bytes() const;

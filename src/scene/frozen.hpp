@@ -59,6 +59,11 @@ inline constexpr std::size_t kColumnPadding = 16;
 template <class R, class Shape>
 struct FrozenShapes {
   const R* column[ShapeTraits<Shape>::kReals];
+  /// The numbers that intersect() needs once more, shape by shape, kRowReals for each: for lanes
+  /// that hold a shape each. nullptr where there is no hierarchy, and in large scenes, which have
+  /// no memory for it.
+  const R* rows;
+  static constexpr std::int32_t kRowReals = (ShapeTraits<Shape>::kHitReals + 3) / 4 * 4;
   const std::int32_t* material;
   const std::int32_t* id;  ///< place in the scene as it was read, counted over all kinds; of equal
                            ///< hits the least wins

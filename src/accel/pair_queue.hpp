@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pairs of a ray and a shape that have still to meet: where few rays of a bundle come to a leaf of
+// few shapes, neither fill a register, but pairs from several leaves do.
+#pragma once
+
+#include <algorithm>
+
+#include "accel/ray_lanes.hpp"
+
+namespace zraka::ZRAKA_ISA {
+
+/// Leaves of up to so many shapes become pairs as their node is met, where rays are few.
+inline constexpr std::int32_t kMostInLeaf = 2;
+
+/// What few rays of a bundle have met of a node's children.
+template <class L>
+struct FewRays {
+  /// For so few rays what all have in common costs as much as each ray's own test.
+  static constexpr std::size_t kMost = 6;
+  std::int32_t ray[kMost];   ///< its number in the bundle
+  std::uint32_t met[kMost];  ///< a bit for each lane's child
+  std::size_t count = 0;
+};
+
+/// The pairs with shapes of one kind, first in, first out.
+template <class L>
+class PairQueue {
+ public:
+  /// Whether there are enough for a register, or any at all.
+  ZRAKA_INLINE bool ready(bool any) const { return end_ - begin_ >= (any ? 1 : L::kWidth); }
+
+  /// Adds each of the rays, a bit each, with `count` shapes from the first on. There must be less
+  /// than a register of others.
+  ZRAKA_INLINE void add(std::uint32_t rays, std::int32_t first, std::int32_t count) {
+    make_room();
+    typename L::I numbers[kRegisters<L>];
+    std::size_t n[kRegisters<L>];
+    for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+      n[r] = static_cast<std::size_t>(__builtin_popcount(in_register<L>(rays, r)));
+      numbers[r] =
+          L::compress(L::iota(static_cast<std::int32_t>(r * L::kWidth)), lanes_of<L>(rays, r));
+    }
+    std::size_t end = end_;
+    for (std::int32_t shape = first; shape < first + count; ++shape) {
+      const std::size_t start = end;
+      for (std::size_t r = 0; r < kRegisters<L>; end += n[r++]) L::store(numbers[r], ray_ + end);
+      for (std::size_t at = start; at < end; at += L::kWidth)
+        L::store(typename L::I(shape), shape_ + at);
+    }
+    end_ = end;
+  }
+
+  /// Adds each of the rays with those shapes in lanes that are among `wanted` and that it has met:
+  /// those of one node, before which there must be less than a register of others.
+  ZRAKA_INLINE void add(const FewRays<L>& rays, std::uint32_t wanted, typename L::I shapes) {
+    make_room();
+    std::size_t end = end_;
+    for (std::size_t r = 0; r < rays.count; ++r) {
+      const std::uint32_t lanes = rays.met[r] & wanted;
+      L::store(typename L::I(rays.ray[r]), ray_ + end);
+      L::compress_store(shapes, L::from_bits(lanes), shape_ + end);
+      end += static_cast<std::size_t>(__builtin_popcount(lanes));
+    }
+    end_ = end;
+  }
+
+  /// The first pairs, up to a register of them; they stay where they are until more are added.
+  struct Taken {
+    std::size_t count;
+    const std::int32_t *ray, *shape;
+  };
+  ZRAKA_INLINE Taken take() {
+    const std::size_t at = begin_, n = std::min(end_ - begin_, L::kWidth);
+    begin_ += n;
+    return {n, ray_ + at, shape_ + at};
+  }
+
+ private:
+  /// What may be there: less than a register, the pairs of one node's leaves (more than a leaf has
+  /// that better_as_pairs() lets in), and what is written beyond.
+  static constexpr std::size_t kLongest =
+      2 * L::kWidth + kMostInLeaf * kNodeWidth * FewRays<L>::kMost;
+  static constexpr std::size_t kRoom = 2 * kLongest;
+
+  ZRAKA_INLINE void make_room() {
+    if (begin_ + kLongest <= kRoom) return;
+    for (std::size_t at = 0; begin_ + at < end_; at += L::kWidth) {
+      L::store(L::load(ray_ + begin_ + at), ray_ + at);
+      L::store(L::load(shape_ + begin_ + at), shape_ + at);
+    }
+    end_ -= begin_;
+    begin_ = 0;
+  }
+
+  std::size_t begin_ = 0, end_ = 0;
+  alignas(64) std::int32_t ray_[kRoom];
+  alignas(64) std::int32_t shape_[kRoom];
+};
+
+/// A queue for each kind of shape.
+template <class L>
+struct Pairs {
+  static constexpr std::uint32_t kAllKinds = (1u << kKinds) - 1;
+  PairQueue<L> of_kind[kKinds];
+
+  /// Adds each of the rays with each shape of a leaf. Returns the kind's bit if there are then
+  /// enough of its pairs for a register.
+  ZRAKA_INLINE std::uint32_t add_leaf(std::uint32_t rays, std::int32_t first, std::int32_t leaf) {
+    PairQueue<L>& queue = of_kind[leaf_kind(leaf)];
+    queue.add(rays, first, leaf_count(leaf));
+    return queue.ready(false) ? 1u << leaf_kind(leaf) : 0;
+  }
+};
+
+}  // namespace zraka::ZRAKA_ISA
