@@ -8,17 +8,6 @@
 
 namespace zraka::ZRAKA_ISA {
 
-/// A child that some rays of a bundle, a bit each, have still to visit.
-template <class R>
-struct BundleEntry {
-  R t;  ///< how near the box begins for the first of them
-  std::int32_t child, leaf;
-  std::uint32_t rays;
-};
-
-template <class L>
-using BundleStack = Stack<BundleEntry<typename L::Real>>;
-
 /// 1/d with a large number for 1/0; boxes are larger than what that errs.
 template <class F>
 ZRAKA_INLINE F slab_inverse(F d) {
@@ -55,43 +44,47 @@ class Bundle {
   ZRAKA_INLINE V3<F> directions(typename L::I rays) const { return of_each(3, rays); }
 
   /// Pushes the children that some of the rays meet before their own t, of which `farthest` is the
-  /// greatest; with kInOrder the nearest last. Where rays are few, small leaves become pairs at
-  /// once. Returns the bits of kinds that there are now enough pairs of for a register.
-  template <bool kInOrder>
+  /// greatest. Where rays are few, small leaves become pairs at once. Returns the bits of kinds
+  /// that there are now enough pairs of for a register.
+  template <class Stack>
   ZRAKA_INLINE std::uint32_t push_children(const Node& node, std::uint32_t rays, const R* t,
-                                           R farthest, BundleStack<L>& stack,
-                                           Pairs<L>& pairs) const {
+                                           R farthest, Stack& stack, Pairs<L>& pairs) const {
     const auto count = static_cast<std::size_t>(__builtin_popcount(rays));
     const bool few = count <= FewRays<L>::kMost;
-    const int before = stack.size();
+    const std::size_t before = stack.size();
     bool in_order = L::kWidth >= kNodeWidth;
     std::uint32_t kinds = 0;
     for (std::size_t k = 0; k < kNodeWidth; k += L::kWidth) {
       if (few) {
-        kinds |= coherent_                                    ? push_ray_by_ray < true, kInOrder,
-            L::kWidth != 1 > (node, k, rays, t, stack, pairs) : push_ray_by_ray < false, kInOrder,
-            L::kWidth != 1 > (node, k, rays, t, stack, pairs);
+        if (coherent_)
+          kinds |= push_ray_by_ray<true, kWide>(node, k, rays, t, stack, pairs);
+        else
+          kinds |= push_ray_by_ray<false, kWide>(node, k, rays, t, stack, pairs);
         continue;
       }
       if (!coherent_) {
-        push_ray_by_ray<false, kInOrder, false>(node, k, rays, t, stack, pairs);
+        push_ray_by_ray<false, false>(node, k, rays, t, stack, pairs);
         continue;
       }
       alignas(64) R nearest[L::kWidth];
       const std::uint32_t met = candidates(node, k, farthest, nearest);
       if (count < kRegisters<L> * static_cast<std::size_t>(__builtin_popcount(met))) {
-        push_ray_by_ray<true, kInOrder, false>(node, k, rays, t, stack, pairs);
+        push_ray_by_ray<true, false>(node, k, rays, t, stack, pairs);
       } else {
         push_box_by_box(node, k, met, rays, t, nearest, stack);
         in_order = false;
       }
     }
-    if (kInOrder && !in_order) stack.sort_from(before);
+    if (!in_order) stack.sort_from(before);
     return kinds;
   }
 
  private:
   static constexpr std::size_t kColumns = 12;
+  static constexpr std::uint32_t kAllLanes =
+      static_cast<std::uint32_t>((std::uint64_t{1} << L::kWidth) - 1);
+  /// Lanes of one ray make no pairs.
+  static constexpr bool kWide = L::kWidth != 1;
 
   ZRAKA_INLINE V3<F> of_one(std::size_t column, std::size_t i) const {
     return {F(single_[column][i]), F(single_[column + 1][i]), F(single_[column + 2][i])};
@@ -160,9 +153,10 @@ class Bundle {
 
   /// Each of the candidates among the boxes [k, k + kWidth) against a register of rays at a time,
   /// where these are fewer tests.
+  template <class Stack>
   ZRAKA_INLINE void push_box_by_box(const Node& node, std::size_t k, std::uint32_t candidates,
                                     std::uint32_t rays, const R* t, const R* nearest,
-                                    BundleStack<L>& stack) const {
+                                    Stack& stack) const {
     for (; candidates != 0; candidates &= candidates - 1) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(candidates));
       const std::size_t i = k + lane;
@@ -188,10 +182,9 @@ class Bundle {
   /// Each of the rays against all the boxes [k, k + kWidth) at once, where these are fewer tests or
   /// the rays go to different sides. With kPairs the rays must be few. Returns what
   /// push_children() returns.
-  template <bool kSameSides, bool kInOrder, bool kPairs>
+  template <bool kSameSides, bool kPairs, class Stack>
   ZRAKA_INLINE std::uint32_t push_ray_by_ray(const Node& node, std::size_t k, std::uint32_t rays,
-                                             const R* t, BundleStack<L>& stack,
-                                             Pairs<L>& pairs) const {
+                                             const R* t, Stack& stack, Pairs<L>& pairs) const {
     using I = typename L::I;
     const auto sides = [k](const Axis& axis, const float* lower, const float* upper) {
       const bool back = kSameSides && axis.back;
@@ -221,38 +214,21 @@ class Bundle {
       const F out = min(min(leave[0], leave[1]), min(leave[2], F(t[i])));
       const auto met = in <= out;
       through = select(met, through + I(static_cast<std::int32_t>(1u << i)), through);
-      nearest = select(met, min(nearest, in), nearest);
+      if constexpr (Stack::kOrdered) nearest = select(met, min(nearest, in), nearest);
       if constexpr (kPairs) {
         few.ray[asked] = static_cast<std::int32_t>(i);
         few.met[asked] = bits(met);
       }
     }
     // A missing child's box is empty only as long as its sides are not turned round.
-    auto met = nearest < F(kFarAway<R>);
-    if (!kSameSides) met = both(met, x.enter <= x.leave);
-    std::uint32_t all = bits(met), kinds = 0;
+    std::uint32_t all = ~bits(through == I(0)) & kAllLanes, kinds = 0;
+    if (!kSameSides) all &= bits(x.enter <= x.leave);
     if constexpr (kPairs) {
       few.count = asked;
       kinds = pair_small_leaves(node, k, few, all, pairs);
       if (all == 0) return kinds;
     }
-    alignas(64) std::int32_t rays_of[L::kWidth];
-    alignas(64) R near[L::kWidth];
-    L::store(through, rays_of);
-    L::store(nearest, near);
-    BundleEntry<R>* const entries = stack.extend(__builtin_popcount(all));
-    int place = 0;
-    for (std::uint32_t boxes = all; boxes != 0; boxes &= boxes - 1, ++place) {
-      const auto lane = static_cast<std::size_t>(__builtin_ctz(boxes));
-      const std::size_t i = k + lane;
-      if (kInOrder) {  // above all that are farther, without a branch
-        const F mine(near[lane]);
-        const std::uint32_t equal = bits(nearest == mine) & ~(boxes ^ (boxes - 1));
-        place = __builtin_popcount(all & (bits(nearest > mine) | equal));
-      }
-      entries[place] = {near[lane], node.child[i], node.leaf[i],
-                        static_cast<std::uint32_t>(rays_of[lane])};
-    }
+    stack.push_children(node, k, all, nearest, through);
     return kinds;
   }
 

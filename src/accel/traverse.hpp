@@ -38,7 +38,7 @@ void nearest_in_hierarchy(const FrozenScene<R>& scene, RayGroup<L>& rays) {
   for (std::size_t r = 0; r < kRegisters<L>; ++r) nearest.take(rays.ray[r], r);
   Pairs<L> pairs;
   R farthest = farthest_of(rays);
-  BundleStack<L> stack;
+  OrderedStack<L> stack;
   stack.push({0, 0, 0, active});
   while (!stack.empty()) {
     const BundleEntry<R> entry = stack.pop();
@@ -46,8 +46,8 @@ void nearest_in_hierarchy(const FrozenScene<R>& scene, RayGroup<L>& rays) {
     bool changed = false;
     std::uint32_t kinds = 0;  // with pairs enough for a register
     if (entry.leaf == 0)
-      kinds = bundle.template push_children<true>(scene.hierarchy.nodes[entry.child], entry.rays,
-                                                  nearest.t, farthest, stack, pairs);
+      kinds = bundle.push_children(scene.hierarchy.nodes[entry.child], entry.rays, nearest.t,
+                                   farthest, stack, pairs);
     else if (better_as_pairs<L>(entry.rays, leaf_count(entry.leaf)))
       kinds = pairs.add_leaf(entry.rays, entry.child, entry.leaf);
     else
@@ -71,7 +71,7 @@ std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& las
   Pairs<L> pairs;
   std::uint32_t left = active;
   R farthest = farthest_of(rays);
-  BundleStack<L> stack;
+  UnorderedStack<L> stack;
   stack.push({0, 0, 0, left});
   if (last.leaf != 0) stack.push({0, last.child, last.leaf, left});
   while (!stack.empty() && left != 0) {
@@ -80,8 +80,8 @@ std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& las
     if (asking == 0) continue;
     std::uint32_t blocked = 0, kinds = 0;
     if (entry.leaf == 0)
-      kinds = bundle.template push_children<false>(scene.hierarchy.nodes[entry.child], asking, t,
-                                                   farthest, stack, pairs);
+      kinds = bundle.push_children(scene.hierarchy.nodes[entry.child], asking, t, farthest, stack,
+                                   pairs);
     else if (better_as_pairs<L>(asking, leaf_count(entry.leaf)))
       kinds = pairs.add_leaf(asking, entry.child, entry.leaf);
     else
