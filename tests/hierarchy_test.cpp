@@ -185,6 +185,31 @@ TEST(Hierarchy, HitsShapesInFullLeaves) {
   expect_oracle_hits(spheres(70000, 0.005), 2000, 0.9995);
   expect_oracle_hits(triangles(70000, 0.02), 2000, 0.9995);
 }
+TEST(Hierarchy, HitsTheSameWithoutRows) {
+  const Frozen frozen(everything(750, 0.3));
+  FrozenScene<float> without = frozen.floats->scene;
+#define ZRAKA_FORGET(Type, plural)                            \
+  if (without.plural.count > 0) {                             \
+    EXPECT_NE(without.plural.rows, nullptr) << "of " #plural; \
+    without.plural.rows = nullptr;                            \
+  }
+  ZRAKA_KINDS(ZRAKA_FORGET)
+#undef ZRAKA_FORGET
+  const std::vector<ProbeRay> rays = random_rays(20000, 5);
+  std::vector<ProbeHit> want(rays.size()), got(rays.size());
+  for (const LanesProbe& probe : lanes_probes()) {
+    if (probe.isa == Isa::oracle) continue;
+    probe.trace(&frozen.floats->scene, nullptr, rays.data(), want.data(), rays.size());
+    probe.trace(&without, nullptr, rays.data(), got.data(), rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      ASSERT_EQ(got[i].id, want[i].id) << "ray " << i << " by " << name_of(probe.isa);
+      ASSERT_EQ(got[i].blocked, want[i].blocked) << "ray " << i << " by " << name_of(probe.isa);
+    }
+  }
+}
+TEST(Hierarchy, HasNoRowsInLargeScenes) {
+  EXPECT_EQ(Frozen(spheres(70000, 0.001)).floats->scene.spheres.rows, nullptr);
+}
 TEST(Hierarchy, HitsAFewShapes) {
   expect_oracle_hits(everything(1, 1.0), 20000, 0.9998);
 }

@@ -2,6 +2,9 @@
 #include "lanes_probe.hpp"
 
 #include <algorithm>
+#include <deque>
+#include <random>
+#include <utility>
 
 #include "accel/traverse.hpp"
 #include "math/power.hpp"
@@ -59,6 +62,81 @@ void sphere(const float* origins, const float* directions, const float* spheres,
   }
 }
 
+void gather_four(const float* from, const std::int32_t* at, float (*out)[4], std::size_t count) {
+  alignas(16) L::Real numbers[256];
+  for (std::size_t i = 0; i < std::size(numbers); ++i) numbers[i] = static_cast<L::Real>(from[i]);
+  for (std::size_t i = 0; i < count; i += L::kWidth) {
+    std::int32_t places[L::kWidth] = {};
+    for (std::size_t lane = 0; lane < L::kWidth && i + lane < count; ++lane)
+      places[lane] = at[i + lane];
+    F four[4];
+    L::gather_four(numbers, L::load(places), four);
+    for (std::size_t k = 0; k < 4; ++k) {
+      L::Real lanes[L::kWidth];
+      L::store(four[k], lanes);
+      for (std::size_t lane = 0; lane < L::kWidth && i + lane < count; ++lane)
+        out[i + lane][k] = static_cast<float>(lanes[lane]);
+    }
+  }
+}
+
+std::size_t wrong_pairs(unsigned seed) {
+  using Pair = std::pair<std::int32_t, std::int32_t>;  // ray, shape
+  std::mt19937 random(seed);
+  const auto below = [&](std::size_t n) {
+    return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
+  };
+  PairQueue<L> queue;
+  std::deque<Pair> want;
+  std::size_t wrong = 0;
+  const auto take = [&](bool all) {
+    while (queue.ready(all)) {
+      const auto taken = queue.take();
+      for (std::size_t i = 0; i < taken.count; ++i) {
+        wrong += want.empty() || want.front() != Pair{taken.ray[i], taken.shape[i]} ? 1 : 0;
+        if (!want.empty()) want.pop_front();
+      }
+    }
+    wrong += want.size() >= (all ? 1 : L::kWidth) ? 1 : 0;
+  };
+  std::int32_t shape = 0;  // of lane i: this and 2i
+  for (int round = 0; round < 2000; ++round, shape += 100) {
+    const std::size_t few = 1 + below(std::min(FewRays<L>::kMost, RayGroup<L>::kRays));
+    FewRays<L> rays;
+    while (rays.count < few) {
+      rays.ray[rays.count] = static_cast<std::int32_t>(below(RayGroup<L>::kRays));
+      rays.met[rays.count++] = static_cast<std::uint32_t>(below(std::size_t{1} << L::kWidth));
+    }
+    if (round % 2 == 0) {  // a leaf
+      std::uint32_t bits = 0;
+      for (std::size_t r = 0; r < rays.count; ++r) bits |= 1u << rays.ray[r];
+      const auto count = static_cast<std::int32_t>(1 + below(5));
+      queue.add(bits, shape, count);
+      for (std::int32_t i = 0; i < count; ++i)
+        for (std::int32_t r = 0; r < static_cast<std::int32_t>(RayGroup<L>::kRays); ++r)
+          if ((bits >> r & 1) != 0) want.emplace_back(r, shape + i);
+    } else {  // a node's leaves of one shape and of two, in as many steps as lanes need
+      for (std::size_t k = 0; k < kNodeWidth; k += L::kWidth) {
+        const auto two = static_cast<std::uint32_t>(below(std::size_t{1} << L::kWidth));
+        const auto one = two | static_cast<std::uint32_t>(below(std::size_t{1} << L::kWidth));
+        for (std::int32_t i = 0; i < kMostInLeaf; ++i) {
+          const std::uint32_t wanted = i == 0 ? one : two;
+          std::int32_t shapes[L::kWidth];
+          for (std::size_t lane = 0; lane < L::kWidth; ++lane)
+            shapes[lane] = shape + 2 * static_cast<std::int32_t>(k + lane) + i;
+          queue.add(rays, wanted, L::load(shapes));
+          for (std::size_t r = 0; r < rays.count; ++r)
+            for (std::size_t lane = 0; lane < L::kWidth; ++lane)
+              if ((rays.met[r] & wanted) >> lane & 1) want.emplace_back(rays.ray[r], shapes[lane]);
+        }
+      }
+    }
+    take(round % 50 == 0);
+  }
+  take(true);
+  return wrong;
+}
+
 [[maybe_unused]] const FrozenScene<float>* own(const FrozenScene<float>* f,
                                                const FrozenScene<double>*, float) {
   return f;
@@ -106,7 +184,7 @@ void trace(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
 
 LanesProbe probe();
 LanesProbe probe() {
-  return {{}, L::kWidth, power_of, sphere, trace};
+  return {{}, L::kWidth, power_of, sphere, gather_four, wrong_pairs, trace};
 }
 
 }  // namespace zraka::ZRAKA_ISA

@@ -27,6 +27,12 @@ struct LanesProbe {
   /// Rays of origin and direction (3 numbers each) against one sphere each (4 numbers); distances.
   void (*sphere)(const float* origins, const float* directions, const float* spheres, float* t,
                  std::size_t count);
+  /// The four numbers from each place of an array on; places are multiples of four.
+  void (*gather_four)(const float* from, const std::int32_t* at, float (*out)[4],
+                      std::size_t count);
+  /// Adds pairs to a queue in random order and takes them again: how many come out that should not,
+  /// or not in their turn, or not at all.
+  std::size_t (*wrong_pairs)(unsigned seed);
   /// Hits of rays in a frozen scene, through its hierarchy if it has one: of floats, but of doubles
   /// for the oracle.
   void (*trace)(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,

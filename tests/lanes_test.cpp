@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Powers and intersections in lanes: right, and the same bits from every instruction set.
+// Powers, intersections and pairs in lanes: right, and the same bits from every instruction set.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -96,6 +96,26 @@ TEST(Power, HasTheSameBitsFromEveryInstructionSet) {
       ASSERT_EQ(std::bit_cast<std::uint32_t>(first[i]), std::bit_cast<std::uint32_t>(other[i]))
           << p.x[i] << "^" << p.n[i] << " by " << name_of(probes[k].isa);
   }
+}
+
+TEST(Lanes, GatherFourNumbersFromEachPlace) {
+  alignas(16) float numbers[256];
+  for (std::size_t i = 0; i < std::size(numbers); ++i) numbers[i] = static_cast<float>(i);
+  std::vector<std::int32_t> at;
+  for (std::int32_t i = 0; i < 50; ++i) at.push_back(4 * (i * 37 % 64));
+  for (const LanesProbe& probe : lanes_probes()) {
+    std::vector<float> got(4 * at.size());
+    probe.gather_four(numbers, at.data(), reinterpret_cast<float(*)[4]>(got.data()), at.size());
+    for (std::size_t i = 0; i < got.size(); ++i)
+      ASSERT_EQ(got[i], static_cast<float>(at[i / 4]) + static_cast<float>(i % 4))
+          << "number " << i % 4 << " of place " << i / 4 << " by " << name_of(probe.isa);
+  }
+}
+
+TEST(Pairs, ComeOutInTheirTurn) {
+  for (const LanesProbe& probe : lanes_probes())
+    for (unsigned seed = 0; seed < 5; ++seed)
+      EXPECT_EQ(probe.wrong_pairs(seed), 0u) << "seed " << seed << " by " << name_of(probe.isa);
 }
 
 /// One ray against one sphere, by every instruction set and the oracle.
