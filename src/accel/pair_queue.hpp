@@ -82,12 +82,12 @@ class PairQueue {
       2 * L::kWidth + kMostInLeaf * kNodeWidth * FewRays<L>::kMost;
   static constexpr std::size_t kRoom = 2 * kLongest;
 
+  /// Moves what is there, less than a register, to the front where room ends. (Between the shapes of
+  /// one node nothing is taken, so it is done before the first of them, if at all.)
   ZRAKA_INLINE void make_room() {
     if (begin_ + kLongest <= kRoom) return;
-    for (std::size_t at = 0; begin_ + at < end_; at += L::kWidth) {
-      L::store(L::load(ray_ + begin_ + at), ray_ + at);
-      L::store(L::load(shape_ + begin_ + at), shape_ + at);
-    }
+    L::store(L::load(ray_ + begin_), ray_);
+    L::store(L::load(shape_ + begin_), shape_);
     end_ -= begin_;
     begin_ = 0;
   }
