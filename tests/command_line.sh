@@ -46,6 +46,7 @@ for isa in $("$zraka" --version | sed -n 's/^this machine has://p'); do
   "$zraka" render "$scene" -o "$folder/b.png" --isa "$isa" --threads 1 --tile 5 || fail "$isa"
   cmp -s "$folder/a.png" "$folder/b.png" || fail "$isa gives other bytes"
 done
+expect 0 '"camera": 100,' "$zraka" render "$scene" -o "$folder/b.png" --width 010 --stats=json  # not octal
 expect 0 '"isa": "portable"' "$zraka" render "$scene" -o "$folder/b.png" --isa portable --stats=json
 for key in load build render write camera shadow reflected refracted hits scene accel threads isa sha256; do
   grep -q "\"$key\"" "$folder/words" || fail "--stats=json has no $key"

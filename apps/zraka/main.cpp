@@ -21,6 +21,21 @@ std::string version_text() {
                      ZRAKA_VERSION, ZRAKA_ISAS_BUILT, isas, isa_in_use());
 }
 
+/// CLI11 takes 010 for an octal number; people mean ten.
+void read_as_decimal(CLI::App& command) {
+  const auto without_zeros = [](std::string word) {
+    const std::size_t first = word.find_first_not_of("+-");
+    const std::size_t digit = word.find_first_not_of('0', first);
+    if (digit != std::string::npos &&
+        word.find_first_not_of("0123456789", first) == std::string::npos)
+      word.erase(first, digit - first);
+    return word;
+  };
+  for (CLI::Option* option : command.get_options())
+    if (option->get_type_name().find("INT") != std::string::npos) option->transform(without_zeros);
+  for (CLI::App* under : command.get_subcommands({})) read_as_decimal(*under);
+}
+
 int run(int argc, char** argv) {
   CLI::App program(
       "A Whitted ray tracer: exact to the bit, and able to say why each pixel has its colour.",
@@ -39,7 +54,9 @@ int run(int argc, char** argv) {
   std::string names;
   bool known = argc < 2 || argv[1][0] == '-';
   for (const AddCommand add : kCommands) {
-    const std::string name = add(program, command)->get_name();
+    CLI::App* const added = add(program, command);
+    read_as_decimal(*added);
+    const std::string name = added->get_name();
     names += (names.empty() ? "" : ", ") + name;
     known = known || name == argv[1];
   }
