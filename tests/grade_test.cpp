@@ -1,79 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
+// Submissions: what is wrong with each picture, and how many points that leaves.
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "explain/json.hpp"
+#include "course_scenes.hpp"
 #include "grade/align.hpp"
 #include "grade/submission.hpp"
 #include "grade/words.hpp"
 #include "image/alter.hpp"
-#include "language.hpp"
 #include "picture_files.hpp"
-#include "scenes.hpp"
 
 namespace zraka {
 namespace {
-
-#ifdef ZRAKA_SANITIZED
-constexpr std::uint32_t kSide = 48;
-#else
-constexpr std::uint32_t kSide = 128;
-#endif
-
-Material glassy(Color color, double k1, double k2, double ratio) {
-  return {.ambient = {color.r * 0.3, color.g * 0.3, color.b * 0.3},
-          .diffuse = color,
-          .specular = {0.6, 0.7, 0.8},
-          .shininess = 12,
-          .reflection = k1,
-          .refraction = k2,
-          .refractive = ratio};
-}
-
-/// A ground, glass in front of coloured spheres, mirrors that face each other, and a body behind
-/// the light: all that mistakes need to be seen.
-Scene course_scene() {
-  Scene scene = lab_scene(kSide);
-  scene.lights = {{{-1.5, 2.5, 1}, {1, 1, 1}}};
-  scene.ambient_light = {0.5, 0.5, 0.5};
-  add_sphere(scene, {0, -101, -3}, 100, glassy({0.5, 0.5, 0.6}, 0.2, 0, 1));
-  add_sphere(scene, {0.1, 0.1, -2}, 0.8, glassy({0.1, 0.1, 0.1}, 0.1, 0.8, 0.67));
-  add_sphere(scene, {-1.2, 0, -3.5}, 0.9, glassy({0.6, 0.2, 0.2}, 0.7, 0, 1));
-  add_sphere(scene, {1.4, 0.2, -3}, 0.9, glassy({0.2, 0.7, 0.3}, 0.6, 0, 1));
-  add_sphere(scene, {0.3, 0.9, -5}, 0.8, glassy({0.8, 0.7, 0.1}, 0, 0, 1));
-  add_sphere(scene, {-2.6, 4.2, 2}, 0.7, glassy({0.9, 0.9, 0.9}, 0, 0, 1));  // behind the light
-  add_sphere(scene, {0.5, 0.2, -1}, 0.25, glassy({0.1, 0.2, 0.6}, 0.3, 0.5, 1.4));
-  return scene;
-}
-
-/// Two lights, glass in glass.
-Scene second_scene() {
-  Scene scene = course_scene();
-  scene.lights.push_back({{2, 1, 2}, {0.6, 0.5, 0.4}});
-  scene.spheres[1].shape = {{-0.3, 0, -1.6}, 0.7};
-  add_sphere(scene, {-0.3, 0, -1.6}, 0.3, glassy({0.2, 0.05, 0.05}, 0.2, 0.6, 1.6));
-  return scene;
-}
-
-Scene third_scene() {
-  Scene scene = lab_scene(kSide);
-  scene.ambient_light = {0.4, 0.5, 0.6};
-  scene.lights = {{{1.5, 1.2, -1}, {0.9, 1, 0.8}}};
-  add_sphere(scene, {0, 0, -4}, 1.2, glassy({0.7, 0.3, 0.1}, 0.4, 0, 1));
-  for (int i = 0; i < 5; ++i)
-    add_sphere(
-        scene, {-1.1 + 0.55 * i, -0.5 + 0.2 * (i % 3), -1.2 - 0.3 * i}, 0.35,
-        glassy({0.1 * i, 0.3, 0.6 - 0.1 * i}, 0.15 * i, i % 2 == 0 ? 0.7 : 0, 0.7 + 0.15 * i));
-  add_sphere(scene, {2.4, 2.0, -0.5}, 0.4, glassy({0.9, 0.9, 0.9}, 0, 0, 1));
-  return scene;
-}
-
-RenderOptions lab_options(Stage stage = Stage::refraction) {
-  return {.terms = terms_of(stage), .profile = profile_of(ProfileName::lab)};
-}
 
 /// A folder that is gone when the test is over.
 struct Folder {
@@ -85,112 +25,6 @@ struct Folder {
   ~Folder() { std::filesystem::remove_all(path); }
   std::string file(const std::string& name) const { return (path / name).string(); }
 };
-
-TEST(Mistakes, AreNamedInBothLanguages) {
-  EXPECT_GE(all_mistakes().size(), 24u);
-  for (const MistakeEntry& entry : all_mistakes()) {
-    EXPECT_EQ(mistake_named(entry.key), entry.mistake);
-    EXPECT_EQ(&entry_of(entry.mistake), &entry);
-    EXPECT_EQ(english_words_in(entry.croatian), "") << entry.croatian;
-  }
-  EXPECT_FALSE(mistake_named("none"));
-}
-
-TEST(Mistakes, OfNoneIsTheRightPicture) {
-  const Scene scene = second_scene();
-  RenderOptions options = lab_options();
-  const Image right = render(scene, options).value().image;
-  // What cannot be seen leaves every bit as it is, by the kernel that makes mistakes.
-  Scene plain = scene;
-  for (Material& material : plain.materials) material.refraction = material.reflection = 0;
-  const std::string all = sha256(render(plain, options).value().image);
-  options.mistake = Mistake::total_clamped;
-  EXPECT_EQ(sha256(render(plain, options).value().image), all);
-  EXPECT_NE(sha256(render(scene, options).value().image), sha256(right));
-}
-
-TEST(Mistakes, ShowFromTheirStageOn) {
-#ifdef ZRAKA_SANITIZED
-  GTEST_SKIP() << "takes a minute under a sanitizer, and runs no other code than its neighbours";
-#endif
-  const Scene scenes[] = {course_scene(), second_scene(), third_scene()};
-  for (const MistakeEntry& entry : all_mistakes()) {
-    bool seen = false;
-    for (const Scene& scene : scenes)
-      for (int stage = 1; stage <= 7; ++stage) {
-        RenderOptions options = lab_options(static_cast<Stage>(stage));
-        const auto stored = [&] {
-          return sha256(as_stored(render(scene, options).value().image, Transfer::linear, 8));
-        };
-        const std::string right = stored();
-        options.mistake = entry.mistake;
-        const bool differs = stored() != right;
-        seen = seen || differs;
-        EXPECT_TRUE(!differs || stage >= entry.first_stage) << entry.key << " in stage " << stage;
-      }
-    EXPECT_TRUE(seen) << entry.key;
-  }
-}
-
-Float3 folded(const nlohmann::json& ray, const nlohmann::json& all, Mistake mistake) {
-  const auto three = [](const nlohmann::json& v) {
-    return Float3{v[0].get<float>(), v[1].get<float>(), v[2].get<float>()};
-  };
-  if (ray["hit"].is_null()) return three(all["background"]);
-  const nlohmann::json& hit = ray["hit"];
-  Float3 color = three(hit["ambient"]);
-  const auto add = [&](const Float3& more) {
-    for (std::size_t c = 0; c < 3; ++c) color[c] += more[c];
-  };
-  for (const nlohmann::json& light : hit["lights"]) {
-    if (mistake == Mistake::shadow_takes_ambient && light["reach"] == "blocked") color = {};
-    if (!light["diffuse"].is_null()) add(three(light["diffuse"]));
-    if (!light["specular"].is_null()) add(three(light["specular"]));
-  }
-  if (mistake == Mistake::total_white && !hit["snell"].is_null() && hit["snell"]["total"])
-    for (float& c : color) c += hit["material"]["k2"].get<float>();
-  const auto clamp = [&] {
-    for (float& c : color) c = std::min(std::max(c, 0.0F), 1.0F);
-  };
-  for (const char* child : {"reflected", "refracted"})
-    if (!hit[child]["ray"].is_null()) {
-      Float3 more = folded(hit[child]["ray"], all, mistake);
-      for (float& c : more) c *= hit[child]["share"].get<float>();
-      add(more);
-    }
-  if (all["clamp_levels"].get<bool>()) clamp();
-  return color;
-}
-
-TEST(Mistakes, AreExplainedToTheBit) {
-  const Scene scenes[] = {course_scene(), second_scene(), third_scene()};
-  std::uint32_t at = 7;
-  for (const MistakeEntry& entry : all_mistakes())
-    for (const Scene& scene : scenes) {
-      RenderOptions options = lab_options();
-      options.mistake = entry.mistake;
-      const Image image = render(scene, options).value().image;
-      Explainer explainer = Explainer::create(scene, options).value();
-      for (int i = 0; i < 12; ++i) {
-        at = at * 1664525u + 1013904223u;
-        const std::uint32_t x = (at >> 8) % kSide, y = (at >> 20) % kSide;
-        const Result<Explanation> e = explainer.pixel(x, y);
-        ASSERT_TRUE(e) << entry.key << ": " << to_string(e.error().front());
-        const float* pixel = image.row(y) + 3 * x;
-        const nlohmann::json json = nlohmann::json::parse(to_json(*e, "", "", ""));
-        Image one(1, 1);
-        const Float3 color = folded(json["tree"], json, entry.mistake);
-        std::copy(color.begin(), color.end(), one.pixels.begin());
-        if (entry.mistake == Mistake::red_and_blue) std::swap(one.pixels[0], one.pixels[2]);
-        for (std::size_t c = 0; c < 3; ++c) {
-          EXPECT_EQ(e->color[c], pixel[c]) << entry.key << " (" << x << ", " << y << ")";
-          if (entry.mistake != Mistake::gamma_applied) {
-            EXPECT_EQ(one.pixels[c], pixel[c]) << entry.key << " (" << x << ", " << y << ")";
-          }
-        }
-      }
-    }
-}
 
 /// Names the cause of every mistake that can be seen in every scene, in a form of the picture.
 void expect_named(const std::function<void(const Image&, const Folder&)>& write, double least) {

@@ -9,6 +9,8 @@
 #include <random>
 #include <zraka/diagnostic.hpp>
 
+#include "core/base64.hpp"
+
 namespace zraka {
 namespace {
 
@@ -96,6 +98,15 @@ TEST(Diagnostic, ReadsLikeACompilers) {
   const Diagnostic d{Severity::warning, "a.txt", 3, 7, "something is odd", "mend it", "line\n  ^"};
   EXPECT_EQ(to_string(d), "a.txt:3:7: warning: something is odd\n  line\n    ^\n  mend it\n");
   EXPECT_EQ(to_string({.message = "no"}), "error: no\n");
+}
+
+TEST(Base64, IsThatOfTheStandard) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xFF\xFE\xFD"), "//79");
 }
 
 }  // namespace

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures with mistakes: from which stage on they show, and that they are explained.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "course_scenes.hpp"
+#include "explain/json.hpp"
+#include "grade/words.hpp"
+#include "image/alter.hpp"
+#include "language.hpp"
+
+namespace zraka {
+namespace {
+
+TEST(Mistakes, AreNamedInBothLanguages) {
+  EXPECT_GE(all_mistakes().size(), 24u);
+  for (const MistakeEntry& entry : all_mistakes()) {
+    EXPECT_EQ(mistake_named(entry.key), entry.mistake);
+    EXPECT_EQ(&entry_of(entry.mistake), &entry);
+    EXPECT_EQ(english_words_in(entry.croatian), "") << entry.croatian;
+  }
+  EXPECT_FALSE(mistake_named("none"));
+}
+
+TEST(Mistakes, OfNoneIsTheRightPicture) {
+  const Scene scene = second_scene();
+  RenderOptions options = lab_options();
+  const Image right = render(scene, options).value().image;
+  // What cannot be seen leaves every bit as it is, by the kernel that makes mistakes.
+  Scene plain = scene;
+  for (Material& material : plain.materials) material.refraction = material.reflection = 0;
+  const std::string all = sha256(render(plain, options).value().image);
+  options.mistake = Mistake::total_clamped;
+  EXPECT_EQ(sha256(render(plain, options).value().image), all);
+  EXPECT_NE(sha256(render(scene, options).value().image), sha256(right));
+}
+
+TEST(Mistakes, ShowFromTheirStageOn) {
+#ifdef ZRAKA_SANITIZED
+  GTEST_SKIP() << "takes a minute under a sanitizer, and runs no other code than its neighbours";
+#endif
+  const Scene scenes[] = {course_scene(), second_scene(), third_scene()};
+  for (const MistakeEntry& entry : all_mistakes()) {
+    bool seen = false;
+    for (const Scene& scene : scenes)
+      for (int stage = 1; stage <= 7; ++stage) {
+        RenderOptions options = lab_options(static_cast<Stage>(stage));
+        const auto stored = [&] {
+          return sha256(as_stored(render(scene, options).value().image, Transfer::linear, 8));
+        };
+        const std::string right = stored();
+        options.mistake = entry.mistake;
+        const bool differs = stored() != right;
+        seen = seen || differs;
+        EXPECT_TRUE(!differs || stage >= entry.first_stage) << entry.key << " in stage " << stage;
+      }
+    EXPECT_TRUE(seen) << entry.key;
+  }
+}
+
+Float3 folded(const nlohmann::json& ray, const nlohmann::json& all, Mistake mistake) {
+  const auto three = [](const nlohmann::json& v) {
+    return Float3{v[0].get<float>(), v[1].get<float>(), v[2].get<float>()};
+  };
+  if (ray["hit"].is_null()) return three(all["background"]);
+  const nlohmann::json& hit = ray["hit"];
+  Float3 color = three(hit["ambient"]);
+  const auto add = [&](const Float3& more) {
+    for (std::size_t c = 0; c < 3; ++c) color[c] += more[c];
+  };
+  for (const nlohmann::json& light : hit["lights"]) {
+    if (mistake == Mistake::shadow_takes_ambient && light["reach"] == "blocked") color = {};
+    if (!light["diffuse"].is_null()) add(three(light["diffuse"]));
+    if (!light["specular"].is_null()) add(three(light["specular"]));
+  }
+  if (mistake == Mistake::total_white && !hit["snell"].is_null() && hit["snell"]["total"])
+    for (float& c : color) c += hit["material"]["k2"].get<float>();
+  const auto clamp = [&] {
+    for (float& c : color) c = std::min(std::max(c, 0.0F), 1.0F);
+  };
+  for (const char* child : {"reflected", "refracted"})
+    if (!hit[child]["ray"].is_null()) {
+      Float3 more = folded(hit[child]["ray"], all, mistake);
+      for (float& c : more) c *= hit[child]["share"].get<float>();
+      add(more);
+    }
+  if (all["clamp_levels"].get<bool>()) clamp();
+  return color;
+}
+
+TEST(Mistakes, AreExplainedToTheBit) {
+  const Scene scenes[] = {course_scene(), second_scene(), third_scene()};
+  std::uint32_t at = 7;
+  for (const MistakeEntry& entry : all_mistakes())
+    for (const Scene& scene : scenes) {
+      RenderOptions options = lab_options();
+      options.mistake = entry.mistake;
+      const Image image = render(scene, options).value().image;
+      Explainer explainer = Explainer::create(scene, options).value();
+      for (int i = 0; i < 12; ++i) {
+        at = at * 1664525u + 1013904223u;
+        const std::uint32_t x = (at >> 8) % kSide, y = (at >> 20) % kSide;
+        const Result<Explanation> e = explainer.pixel(x, y);
+        ASSERT_TRUE(e) << entry.key << ": " << to_string(e.error().front());
+        const float* pixel = image.row(y) + 3 * x;
+        const nlohmann::json json = nlohmann::json::parse(to_json(*e, "", "", ""));
+        Image one(1, 1);
+        const Float3 color = folded(json["tree"], json, entry.mistake);
+        std::copy(color.begin(), color.end(), one.pixels.begin());
+        if (entry.mistake == Mistake::red_and_blue) std::swap(one.pixels[0], one.pixels[2]);
+        for (std::size_t c = 0; c < 3; ++c) {
+          EXPECT_EQ(e->color[c], pixel[c]) << entry.key << " (" << x << ", " << y << ")";
+          if (entry.mistake != Mistake::gamma_applied) {
+            EXPECT_EQ(one.pixels[c], pixel[c]) << entry.key << " (" << x << ", " << y << ")";
+          }
+        }
+      }
+    }
+}
+
+}  // namespace
+}  // namespace zraka
