@@ -8,7 +8,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 
 #include "core/handover.hpp"
 #include "engine/engine.hpp"
@@ -23,6 +27,27 @@ inline int chosen_tile(std::uint32_t width, std::uint32_t height, int threads) {
   constexpr std::uint64_t kTilesPerThread = 16;
   const std::uint64_t tiles = std::uint64_t{width} * height / (kLarge * kLarge);
   return tiles >= kTilesPerThread * static_cast<std::uint64_t>(threads) ? kLarge : kSmall;
+}
+
+/// Waits until a worker of the arena is there, a millisecond at most. Some kernels leave a thread
+/// that starts or wakes on the processor of the one that woke it until that one waits; if it works
+/// instead, the other one comes milliseconds late.
+inline void wake_worker(tbb::task_arena& arena) {
+  struct Meeting {
+    std::mutex mutex;
+    std::condition_variable changed;
+    bool there = false;
+  };
+  const auto meeting = std::make_shared<Meeting>();
+  arena.enqueue([meeting] {
+    {
+      const std::lock_guard<std::mutex> lock(meeting->mutex);
+      meeting->there = true;
+    }
+    meeting->changed.notify_one();
+  });
+  std::unique_lock<std::mutex> lock(meeting->mutex);
+  meeting->changed.wait_for(lock, std::chrono::milliseconds(1), [&] { return meeting->there; });
 }
 
 /// Calls work(tile) for each tile of a picture, on so many threads of oneTBB. False if `cancel` was
@@ -48,6 +73,7 @@ bool each_tile(std::uint32_t picture_width, std::uint32_t picture_height, int ti
     from_workers.give();
   };
   tbb::task_arena arena(threads);
+  if (threads > 1 && columns * rows > 1) wake_worker(arena);
   to_workers.give();
   arena.execute([&] {
     tbb::parallel_for(
