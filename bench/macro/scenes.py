@@ -11,9 +11,9 @@ WIDTH = 512
 
 # By the name that is asked for: files that are there already.
 OF_THE_LAB = {"letter": ROOT / "scenes/lab/letter.txt", "input": ROOT / "scenes/lab/input.txt"}
-GENERATED = ("sphereflake", "lattice", "rings", "spheres", "terrain")
-USUAL = "sphereflake:5,lattice:12,rings:7,spheres:5,terrain:8,letter@2160"
-QUICK = "sphereflake:2@64,lattice:3@64,rings:2@64,spheres:2@64,terrain:3@64,letter@64"
+GENERATED = ("sphereflake", "lattice", "rings", "spheres", "terrain", "tetra")
+USUAL = "sphereflake:5,lattice:12,rings:7,spheres:5,terrain:8,tetra:6,letter@2160"
+QUICK = "sphereflake:2@64,lattice:3@64,rings:2@64,spheres:2@64,terrain:3@64,tetra:3@64,letter@64"
 
 
 class Unknown(Exception):

@@ -220,6 +220,35 @@ void terrain(Lines& out, int size, std::uint32_t seed) {
   }
 }
 
+/// Four half as large in its corners, and so on: Sierpiński's. Two opposite corners of each face of
+/// a cube are its own.
+void tetrahedra(Lines& out, const Vec3& center, double half, int levels) {
+  constexpr std::array<Vec3, 4> kCorners = {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
+  if (levels > 0) {
+    for (const Vec3& corner : kCorners)
+      tetrahedra(out, center + corner * (half / 2), half / 2, levels - 1);
+    return;
+  }
+  // Counterclockwise, seen from outside.
+  constexpr int kFaces[4][3] = {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
+  for (const auto& face : kFaces) {
+    const auto corner = [&](int i) {
+      return center + kCorners[static_cast<std::size_t>(face[i])] * half;
+    };
+    out.polygon(std::array<Vec3, 3>{corner(0), corner(1), corner(2)});
+  }
+}
+
+/// The tetrahedron of Haines' Standard Procedural Databases, with its view and light, so that its
+/// rays can be counted against published figures.
+void tetra(Lines& out, int size) {
+  out.view({1.02285, -3.17715, -2.17451}, {-0.004103, -0.004103, 0.216539},
+           {-0.816497, -0.816497, 0.816497}, 45);
+  out.light({1.87607, -18.1239, -5.00042});
+  out.material(1, 0.2, 0.2, 1, 0, 0);
+  tetrahedra(out, {0, 0, 0}, 1, size - 1);
+}
+
 }  // namespace
 
 Result<void> generate_benchmark(const std::string& name, int size, std::uint32_t seed,
@@ -240,6 +269,7 @@ Result<void> generate_benchmark(const std::string& name, int size, std::uint32_t
     if (name == "rings") rings(out, size);
     if (name == "spheres") spheres(out, size, seed);
     if (name == "terrain") terrain(out, size, seed);
+    if (name == "tetra") tetra(out, size);
   }
   return file->commit();
 }

@@ -22,6 +22,7 @@ inline constexpr Benchmark kBenchmarks[] = {
      1, 7, 60},
     {"spheres", "10^SIZE mirroring and matt spheres anywhere in a cube", 0, 4, 8},
     {"terrain", "a landscape of 2·4^SIZE triangles", 1, 6, 12},
+    {"tetra", "a tetrahedron of tetrahedra of tetrahedra…, 4^SIZE triangles", 1, 6, 12},
 };
 
 /// Writes the benchmark of that name to a file. Fails on an unknown name, a size out of its range,
