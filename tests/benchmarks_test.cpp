@@ -4,6 +4,7 @@
 #include "generate/benchmarks.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -12,10 +13,10 @@
 namespace zraka {
 namespace {
 
-Scene generated(const std::string& name, int size) {
+Scene generated(const std::string& name, int size, std::uint32_t seed = 1) {
   std::string path = (std::filesystem::temp_directory_path() / "benchmark-XXXXXX").string();
   close(mkstemp(path.data()));
-  EXPECT_TRUE(generate_benchmark(name, size, 1, path));
+  EXPECT_TRUE(generate_benchmark(name, size, seed, path));
   Scene scene = read_scene(path).value().scene;
   std::filesystem::remove(path);
   return scene;
@@ -38,12 +39,7 @@ TEST(Benchmarks, HoldAsManyShapesAsTheySay) {
 
 TEST(Benchmarks, AreTheSameForTheSameSeedOnly) {
   const auto first = [](std::uint32_t seed) {
-    std::string path = (std::filesystem::temp_directory_path() / "benchmark-XXXXXX").string();
-    close(mkstemp(path.data()));
-    EXPECT_TRUE(generate_benchmark("spheres", 1, seed, path));
-    const Vec3 center = read_scene(path).value().scene.spheres[0].shape.center;
-    std::filesystem::remove(path);
-    return center;
+    return generated("spheres", 1, seed).spheres[0].shape.center;
   };
   EXPECT_EQ(first(1), first(1));
   EXPECT_FALSE(first(1) == first(2));
