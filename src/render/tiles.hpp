@@ -5,13 +5,13 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
-#include <memory>
 #include <mutex>
 
 #include "core/handover.hpp"
@@ -29,25 +29,24 @@ inline int chosen_tile(std::uint32_t width, std::uint32_t height, int threads) {
   return tiles >= kTilesPerThread * static_cast<std::uint64_t>(threads) ? kLarge : kSmall;
 }
 
-/// Waits until a worker of the arena is there, a millisecond at most. Some kernels leave a thread
-/// that starts or wakes on the processor of the one that woke it until that one waits; if it works
-/// instead, the other one comes milliseconds late.
-inline void wake_worker(tbb::task_arena& arena) {
-  struct Meeting {
-    std::mutex mutex;
-    std::condition_variable changed;
-    bool there = false;
-  };
-  const auto meeting = std::make_shared<Meeting>();
-  arena.enqueue([meeting] {
-    {
-      const std::lock_guard<std::mutex> lock(meeting->mutex);
-      meeting->there = true;
-    }
-    meeting->changed.notify_one();
+/// Waits until a worker has come into this arena, but not for long: all may be at work elsewhere.
+/// Some kernels leave a thread that starts or wakes on the processor of the one that woke it until
+/// that one waits; if it works instead, the other comes milliseconds late.
+inline void wait_for_a_worker() {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool there = false;
+  tbb::task_group group;
+  group.run([&] {
+    const std::lock_guard<std::mutex> lock(mutex);
+    there = true;
+    changed.notify_one();
   });
-  std::unique_lock<std::mutex> lock(meeting->mutex);
-  meeting->changed.wait_for(lock, std::chrono::milliseconds(1), [&] { return meeting->there; });
+  {
+    std::unique_lock<std::mutex> lock(mutex);
+    changed.wait_for(lock, std::chrono::microseconds(300), [&] { return there; });
+  }
+  group.wait();
 }
 
 /// Calls work(tile) for each tile of a picture, on so many threads of oneTBB. False if `cancel` was
@@ -73,9 +72,9 @@ bool each_tile(std::uint32_t picture_width, std::uint32_t picture_height, int ti
     from_workers.give();
   };
   tbb::task_arena arena(threads);
-  if (threads > 1 && columns * rows > 1) wake_worker(arena);
   to_workers.give();
   arena.execute([&] {
+    if (threads > 1 && columns * rows > 1) wait_for_a_worker();
     tbb::parallel_for(
         tbb::blocked_range<std::int32_t>(0, columns * rows),
         [&](const tbb::blocked_range<std::int32_t>& range) {
