@@ -29,7 +29,7 @@ python3 - "$folder/times.json" <<'END' || fail "the JSON: see above"
 import json, sys
 record = json.load(open(sys.argv[1]))
 runs = [run for entry in record["contest"] if entry["program"] == "zraka" for run in entry["runs"]]
-assert len(runs) == 6 and all(run["render"] > 0 and len(run["sha256"]) == 64 for run in runs), runs
+assert len(runs) == 7 and all(run["render"] > 0 and len(run["sha256"]) == 64 for run in runs), runs
 assert all(entry["seconds_per_ray"] > 0 for entry in record["growth"])
 END
 
