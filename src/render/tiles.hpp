@@ -19,12 +19,14 @@
 
 namespace zraka {
 
+/// So many tiles a thread are worth waiting for the thread.
+inline constexpr std::uint64_t kTilesPerThread = 16;
+
 /// Side of a picture's tiles where none is asked for: the larger a tile, the more of its rays find
 /// company on their way; small enough for the arrays of its trees to stay in the second-level
 /// cache, and for every thread to have some.
 inline int chosen_tile(std::uint32_t width, std::uint32_t height, int threads) {
   constexpr int kLarge = 48, kSmall = 32;
-  constexpr std::uint64_t kTilesPerThread = 16;
   const std::uint64_t tiles = std::uint64_t{width} * height / (kLarge * kLarge);
   return tiles >= kTilesPerThread * static_cast<std::uint64_t>(threads) ? kLarge : kSmall;
 }
@@ -74,7 +76,9 @@ bool each_tile(std::uint32_t picture_width, std::uint32_t picture_height, int ti
   tbb::task_arena arena(threads);
   to_workers.give();
   arena.execute([&] {
-    if (threads > 1 && columns * rows > 1) wait_for_a_worker();
+    if (threads > 1 && static_cast<std::uint64_t>(columns * rows) >=
+                           kTilesPerThread * static_cast<std::uint64_t>(threads))
+      wait_for_a_worker();
     tbb::parallel_for(
         tbb::blocked_range<std::int32_t>(0, columns * rows),
         [&](const tbb::blocked_range<std::int32_t>& range) {
