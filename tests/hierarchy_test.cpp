@@ -185,8 +185,8 @@ TEST(Hierarchy, HitsShapesInFullLeaves) {
   expect_oracle_hits(spheres(70000, 0.005), 2000, 0.9995);
   expect_oracle_hits(triangles(70000, 0.02), 2000, 0.9995);
 }
-TEST(Hierarchy, HitsTheSameWithoutRows) {
-  const Frozen frozen(everything(750, 0.3));
+void expect_same_without_rows(const Scene& scene) {
+  const Frozen frozen(scene);
   FrozenScene<float> without = frozen.floats->scene;
 #define ZRAKA_FORGET(Type, plural)                            \
   if (without.plural.count > 0) {                             \
@@ -202,10 +202,18 @@ TEST(Hierarchy, HitsTheSameWithoutRows) {
     probe.trace(&frozen.floats->scene, nullptr, rays.data(), want.data(), rays.size());
     probe.trace(&without, nullptr, rays.data(), got.data(), rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
+      ASSERT_EQ(got[i].t, want[i].t) << "ray " << i << " by " << name_of(probe.isa);
       ASSERT_EQ(got[i].id, want[i].id) << "ray " << i << " by " << name_of(probe.isa);
       ASSERT_EQ(got[i].blocked, want[i].blocked) << "ray " << i << " by " << name_of(probe.isa);
     }
   }
+}
+TEST(Hierarchy, HitsTheSameWithoutRows) {
+  Scene scene = everything(750, 0.3);
+  expect_same_without_rows(scene);
+  add_sphere(scene, {0, -104, 0}, 100, {});
+  EXPECT_GT(Frozen(scene).floats->scene.anchored_spheres.count, 0);
+  expect_same_without_rows(scene);
 }
 TEST(Hierarchy, HasNoRowsInLargeScenes) {
   EXPECT_EQ(Frozen(spheres(70000, 0.001)).floats->scene.spheres.rows, nullptr);

@@ -86,6 +86,7 @@ std::size_t wrong_pairs(unsigned seed) {
   const auto below = [&](std::size_t n) {
     return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
   };
+  constexpr auto kAll = static_cast<std::uint32_t>((std::uint64_t{1} << L::kWidth) - 1);
   PairQueue<L> queue;
   std::deque<Pair> want;
   std::size_t wrong = 0;
@@ -101,13 +102,16 @@ std::size_t wrong_pairs(unsigned seed) {
   };
   std::int32_t shape = 0;  // of lane i: this and 2i
   for (int round = 0; round < 2000; ++round, shape += 100) {
-    const std::size_t few = 1 + below(std::min(FewRays<L>::kMost, RayGroup<L>::kRays));
+    const bool full = round % 7 == 1;  // as many pairs as there ever are
+    const std::size_t most = std::min(FewRays<L>::kMost, RayGroup<L>::kRays);
+    const std::size_t few = full ? most : 1 + below(most);
     FewRays<L> rays;
     while (rays.count < few) {
       rays.ray[rays.count] = static_cast<std::int32_t>(below(RayGroup<L>::kRays));
-      rays.met[rays.count++] = static_cast<std::uint32_t>(below(std::size_t{1} << L::kWidth));
+      rays.met[rays.count++] =
+          full ? kAll : static_cast<std::uint32_t>(below(std::size_t{1} << L::kWidth));
     }
-    if (round % 2 == 0) {  // a leaf
+    if (round % 2 == 0 && !full) {  // a leaf
       std::uint32_t bits = 0;
       for (std::size_t r = 0; r < rays.count; ++r) bits |= 1u << rays.ray[r];
       const auto count = static_cast<std::int32_t>(1 + below(5));
@@ -117,7 +121,8 @@ std::size_t wrong_pairs(unsigned seed) {
           if ((bits >> r & 1) != 0) want.emplace_back(r, shape + i);
     } else {  // a node's leaves of one shape and of two, in as many steps as lanes need
       for (std::size_t k = 0; k < kNodeWidth; k += L::kWidth) {
-        const auto two = static_cast<std::uint32_t>(below(std::size_t{1} << L::kWidth));
+        const auto two =
+            full ? kAll : static_cast<std::uint32_t>(below(std::size_t{1} << L::kWidth));
         const auto one = two | static_cast<std::uint32_t>(below(std::size_t{1} << L::kWidth));
         for (std::int32_t i = 0; i < kMostInLeaf; ++i) {
           const std::uint32_t wanted = i == 0 ? one : two;
@@ -131,6 +136,7 @@ std::size_t wrong_pairs(unsigned seed) {
         }
       }
     }
+    wrong += queue.fits() ? 0 : 1;
     take(round % 50 == 0);
   }
   take(true);

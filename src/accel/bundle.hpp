@@ -179,8 +179,8 @@ class Bundle {
     }
   }
 
-  /// Each of the rays against all the boxes [k, k + kWidth) at once, where these are fewer tests or
-  /// the rays go to different sides. With kPairs the rays must be few. Returns what
+  /// Each of the rays against all the boxes [k, k + kWidth) at once, where these are fewer tests,
+  /// the rays few, or go to different sides. With kPairs they must be few. Returns what
   /// push_children() returns.
   template <bool kSameSides, bool kPairs, class Stack>
   ZRAKA_INLINE std::uint32_t push_ray_by_ray(const Node& node, std::size_t k, std::uint32_t rays,

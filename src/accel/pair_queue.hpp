@@ -26,11 +26,14 @@ struct FewRays {
 template <class L>
 class PairQueue {
  public:
-  /// Whether there are enough for a register, or any at all.
-  ZRAKA_INLINE bool ready(bool any) const { return end_ - begin_ >= (any ? 1 : L::kWidth); }
+  /// What may be added before any are taken: the pairs of one node's leaves, or of one leaf.
+  static constexpr std::size_t kMostAtOnce = kMostInLeaf * kNodeWidth * FewRays<L>::kMost;
 
-  /// Adds each of the rays, a bit each, with `count` shapes from the first on. There must be less
-  /// than a register of others.
+  /// Whether there are enough for a register; or any at all, if all are to be taken.
+  ZRAKA_INLINE bool ready(bool all) const { return end_ - begin_ >= (all ? 1 : L::kWidth); }
+
+  /// Adds each of the rays, a bit each, with `count` shapes from the first on: kMostAtOnce pairs at
+  /// most. There must be less than a register of others.
   ZRAKA_INLINE void add(std::uint32_t rays, std::int32_t first, std::int32_t count) {
     make_room();
     typename L::I numbers[kRegisters<L>];
@@ -75,15 +78,16 @@ class PairQueue {
     return {n, ray_ + at, shape_ + at};
   }
 
+  /// Whether all that was written so far lies in the queue; it does, but a test has to see it.
+  bool fits() const { return end_ + L::kWidth <= kRoom; }
+
  private:
-  /// What may be there: less than a register, the pairs of one node's leaves (more than a leaf has
-  /// that better_as_pairs() lets in), and what is written beyond.
-  static constexpr std::size_t kLongest =
-      2 * L::kWidth + kMostInLeaf * kNodeWidth * FewRays<L>::kMost;
+  /// What may be there: less than a register, what is added at once, and what is written beyond.
+  static constexpr std::size_t kLongest = 2 * L::kWidth + kMostAtOnce;
   static constexpr std::size_t kRoom = 2 * kLongest;
 
-  /// Moves what is there, less than a register, to the front where room ends. (Between the shapes of
-  /// one node nothing is taken, so it is done before the first of them, if at all.)
+  /// Moves what is there, less than a register, to the front where room ends. (Between the shapes
+  /// of one node nothing is taken, so it is done before the first of them, if at all.)
   ZRAKA_INLINE void make_room() {
     if (begin_ + kLongest <= kRoom) return;
     L::store(L::load(ray_ + begin_), ray_);

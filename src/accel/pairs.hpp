@@ -48,17 +48,33 @@ ZRAKA_INLINE MetPairs<L> meet_pairs(const FrozenShapes<typename L::Real, Shape>&
           active, taken.shape};
 }
 
-/// Whether that takes less time than either the rays in lanes or the shapes: a register of pairs
-/// costs about 8/3 tests.
+/// Whether they take less time than either rays in lanes, so many in so many registers, or shapes:
+/// a register of pairs costs about 8/3 tests.
+template <class L>
+ZRAKA_INLINE constexpr bool pairs_take_less(int rays, int registers, int shapes) {
+  constexpr int kWidth = static_cast<int>(L::kWidth);
+  return 8 * rays < 3 * kWidth * registers &&
+         8 * shapes < 3 * kWidth * ((shapes + kWidth - 1) / kWidth);
+}
+
+/// The most pairs of a leaf for which they take less.
+template <class L>
+constexpr std::size_t most_pairs_of_a_leaf() {
+  int most = 0;
+  for (int rays = 1; rays <= static_cast<int>(RayGroup<L>::kRays); ++rays)
+    for (int shapes = 1; shapes <= kNodeWidth; ++shapes)
+      if (pairs_take_less<L>(rays, kRegisters<L>, shapes)) most = std::max(most, rays * shapes);
+  return static_cast<std::size_t>(most);
+}
+
+/// Whether a leaf's rays and shapes are to wait as pairs.
 template <class L>
 ZRAKA_INLINE bool better_as_pairs(std::uint32_t rays, std::int32_t shapes) {
+  static_assert(most_pairs_of_a_leaf<L>() <= PairQueue<L>::kMostAtOnce);
   if (L::kWidth == 1) return false;
-  constexpr int kWidth = static_cast<int>(L::kWidth);
-  const int count = __builtin_popcount(rays);
   int registers = 0;
   for (std::size_t r = 0; r < kRegisters<L>; ++r) registers += in_register<L>(rays, r) != 0 ? 1 : 0;
-  return 8 * count < 3 * kWidth * registers &&
-         8 * shapes < 3 * kWidth * ((shapes + kWidth - 1) / kWidth);
+  return pairs_take_less<L>(__builtin_popcount(rays), registers, shapes);
 }
 
 }  // namespace zraka::ZRAKA_ISA

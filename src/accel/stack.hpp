@@ -14,7 +14,7 @@ inline constexpr std::size_t kStackSize = kMaxNodeDepth * (kNodeWidth - 1) + kNo
 /// A child that some rays of a bundle, a bit each, have still to visit.
 template <class R>
 struct BundleEntry {
-  R t;  ///< how near the box begins for the first of them
+  R t;  ///< how near the box begins for the first of them, where order counts
   std::int32_t child, leaf;
   std::uint32_t rays;
 };

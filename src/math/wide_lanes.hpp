@@ -240,8 +240,9 @@ struct WideLanes {
   static ZRAKA_INLINE I gather(const std::int32_t* base, I index) {
     return hn::GatherIndex(wide::di, base, index.v);
   }
-  /// out[k] is base[at + k], lane by lane. On x86, `base` and all of `at` are multiples of 16
-  /// bytes: to load a row for each lane and turn them takes half the time of four gathers.
+  /// out[k] is base[at + k], lane by lane. With AVX2 and AVX-512, `base` and all of `at` are
+  /// multiples of 16 bytes: to load a row for each lane and turn them takes half the time of four
+  /// gathers.
   static ZRAKA_INLINE void gather_four(const float* base, I at, F (&out)[4]) {
 #if HWY_TARGET <= HWY_AVX2
     alignas(64) std::int32_t places[kWidth];

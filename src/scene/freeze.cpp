@@ -317,8 +317,9 @@ void refer_to(const FrozenScene<R>& scene, BuildRef* refs) {
 
 namespace {
 
-/// In larger scenes the rows would be memory that few rays read: leaves there are full.
-constexpr std::size_t kMostWithRows = std::size_t{1} << 16;
+/// From here on rows take longer to make than they save; where all shapes are of one kind, leaves
+/// are full and make no pairs.
+constexpr std::size_t kTooManyForRows = std::size_t{1} << 16;
 
 /// What FrozenShapes::rows says, for all kinds.
 template <class R>
@@ -378,7 +379,7 @@ void finish(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
   ZRAKA_KINDS(ZRAKA_FINISH)
 #undef ZRAKA_FINISH
   if (std::is_same_v<R, float> && !hierarchy.order.empty() &&
-      hierarchy.order.size() <= kMostWithRows)
+      hierarchy.order.size() < kTooManyForRows)
     add_rows(store);
 }
 

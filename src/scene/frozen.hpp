@@ -60,8 +60,8 @@ template <class R, class Shape>
 struct FrozenShapes {
   const R* column[ShapeTraits<Shape>::kReals];
   /// The numbers that intersect() needs once more, shape by shape, kRowReals for each: for lanes
-  /// that hold a shape each. nullptr where there is no hierarchy, and in large scenes, which have
-  /// no memory for it.
+  /// that hold a shape each. nullptr where there is no hierarchy, in large scenes, and in the
+  /// oracle's.
   const R* rows;
   static constexpr std::int32_t kRowReals = (ShapeTraits<Shape>::kHitReals + 3) / 4 * 4;
   const std::int32_t* material;

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "math/inline.hpp"
+
 namespace zraka {
 
 /// Children of a node; also the most primitives of a leaf, which is one register of the widest set.
@@ -18,13 +20,13 @@ inline constexpr int kMaxNodeDepth = 64;
 inline constexpr std::int32_t kNoChild = std::int32_t{1} << 20;
 
 /// Node::leaf of a leaf, and its parts.
-constexpr std::int32_t leaf_of(std::int32_t count, std::int32_t kind) {
+ZRAKA_INLINE constexpr std::int32_t leaf_of(std::int32_t count, std::int32_t kind) {
   return count + 2 * kNodeWidth * kind;
 }
-constexpr std::int32_t leaf_count(std::int32_t leaf) {
+ZRAKA_INLINE constexpr std::int32_t leaf_count(std::int32_t leaf) {
   return leaf & (2 * kNodeWidth - 1);
 }
-constexpr std::int32_t leaf_kind(std::int32_t leaf) {
+ZRAKA_INLINE constexpr std::int32_t leaf_kind(std::int32_t leaf) {
   return leaf / (2 * kNodeWidth);
 }
 
