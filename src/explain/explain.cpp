@@ -373,7 +373,7 @@ Neighbourhood Explainer::around(std::uint32_t x, std::uint32_t y, std::uint32_t 
   RayCounts counts;
   stand.kernel->trace_tile(stand.frozen(), stand.settings, tile, workspace.workspace(), counts,
                            rays.pixels.data(), rays.width);
-  found.image = corner == 0 ? std::move(rays) : means_of_corners(rays);
+  found.image = corner == 0 ? std::move(rays) : means_of_corners(std::move(rays));
   return found;
 }
 

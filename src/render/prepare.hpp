@@ -37,7 +37,7 @@ inline float mean_of_corners(float upper_left, float upper_right, float lower_le
   return ((upper_left + upper_right) + (lower_left + lower_right)) * 0.25f;
 }
 
-/// Pixels of one column and one row less, each the mean of the four around it.
-Image means_of_corners(const Image& corners);
+/// Pixels of one column and one row less, each the mean of the four around it; in the same memory.
+Image means_of_corners(Image corners);
 
 }  // namespace zraka

@@ -79,6 +79,8 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   const bool complete =
       render_tiles(prepared.store->scene, kernel, settings_of(options, prepared.frame), options,
                    tile, threads, rendering);
+  if (complete && options.profile.average_corners)
+    rendering.image = means_of_corners(std::move(rendering.image));
   rendering.stats.render_seconds = seconds_since(traced);
   return complete;
 }
@@ -114,7 +116,6 @@ Result<Rendering> render_right_or_wrong(SceneRef&& scene, const RenderOptions& o
                   options.mistake == Mistake::none ? kernel_of(*isa) : mistaken_kernel(), options,
                   tile, threads, rendering);
     if (!complete) return failure("", "the render was cancelled");
-    if (more > 0) rendering.image = means_of_corners(rendering.image);
   } catch (const std::bad_alloc&) {
     return failure("", fmt::format("not enough memory for a picture of {}×{} pixels and {} shapes",
                                    resolution.width, resolution.height, shapes));
