@@ -5,13 +5,17 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
+#include <algorithm>
 #include <chrono>
-#include <mutex>
+#include <optional>
+#include <type_traits>
+#include <vector>
 #include <zraka/render.hpp>
 
 #include "render/isa.hpp"
 #include "render/mistake.hpp"
 #include "render/prepare.hpp"
+#include "render/screen_bounds.hpp"
 #include "render/tiles.hpp"
 #include "render/workspace.hpp"
 
@@ -36,24 +40,62 @@ struct Worker {
   RayCounts counts;
 };
 
+std::uint64_t area_of(const TileRect& rect) {
+  return static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
+}
+
+float* pixel_of(Image& image, std::int32_t x, std::int32_t y) {
+  return image.row(static_cast<std::uint32_t>(y)) + 3 * x;
+}
+
+/// Gives the pixels of a tile the background's colour, but for a part of it; `background` is a row
+/// of pixels of that colour, as long as a tile's.
+void fill_around(const TileRect& part, const TileRect& tile, const std::vector<float>& background,
+                 Image& image) {
+  const auto fill = [&](std::int32_t x, std::int32_t y, std::int32_t width) {
+    std::copy_n(background.data(), 3 * width, pixel_of(image, x, y));
+  };
+  const std::int32_t right = part.x + part.width, end = tile.x + tile.width;
+  for (std::int32_t y = tile.y; y < tile.y + tile.height; ++y) {
+    const bool beside = y >= part.y && y < part.y + part.height;
+    fill(tile.x, y, beside ? part.x - tile.x : tile.width);
+    if (beside) fill(right, y, end - right);
+  }
+}
+
 /// Renders all tiles of a frozen scene. False if it was cancelled.
 template <class R>
 bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
                   const TraceSettings& settings, const RenderOptions& options, int tile,
                   int threads, Rendering& rendering) {
   Image& image = rendering.image;
+  // The oracle asks with every ray, and so do mistakes, which may be about what rays meet.
+  std::optional<ScreenBounds> bounds;
+  std::vector<float> background;
+  if constexpr (std::is_same_v<R, float>)
+    if (options.mistake == Mistake::none) {
+      bounds.emplace(scene, image.width, image.height);
+      const V3<float>& color = scene.background;
+      for (int i = 0; i < tile; ++i)
+        background.insert(background.end(), {color.x, color.y, color.z});
+    }
   tbb::enumerable_thread_specific<Worker<R>> workers(
       [&] { return Worker<R>{WorkspaceMemory<R>(tile * tile, settings.max_depth), {}}; });
   std::atomic<std::uint64_t> pixels_done{0}, rays_done{0};
   const auto render_tile = [&](const TileRect& rect) {
     Worker<R>& worker = workers.local();
     RayCounts counts;
-    kernel.trace_tile(scene, settings, rect, worker.memory.workspace(), counts,
-                      image.row(static_cast<std::uint32_t>(rect.y)) + 3 * rect.x, image.width);
+    const TileRect part = bounds ? bounds->part_of(rect) : rect;
+    if (area_of(part) != 0)
+      kernel.trace_tile(scene, settings, part, worker.memory.workspace(), counts,
+                        pixel_of(image, part.x, part.y), image.width);
+    if (area_of(part) != area_of(rect)) {
+      fill_around(part, rect, background, image);
+      counts.camera += area_of(rect) - area_of(part);  // they have been answered, too
+    }
     add(worker.counts, counts);
     if (options.progress) {
-      const std::uint64_t area =
-          static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
+      const std::uint64_t area = area_of(rect);
       const std::uint64_t pixels = pixels_done.fetch_add(area) + area;
       const std::uint64_t rays = rays_done.fetch_add(counts.total()) + counts.total();
       options.progress(pixels, std::uint64_t{image.width} * image.height, rays);

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pixels that are not asked for show nothing but background.
+#include "render/screen_bounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <vector>
+
+#include "render/isa.hpp"
+#include "render/prepare.hpp"
+#include "render/workspace.hpp"
+#include "scenes.hpp"
+
+namespace zraka {
+namespace {
+
+/// Every pixel asked for, by the renderer's own arithmetic.
+Image every_ray_traced(const PreparedScene<float>& prepared, const Resolution& resolution,
+                       const RenderOptions& options) {
+  const auto [width, height] = resolution;
+  Image image(width, height);
+  WorkspaceMemory<float> memory(static_cast<std::int32_t>(width * height), options.max_depth);
+  RayCounts counts;
+  kernel_of(Isa::portable)
+      .trace_tile(prepared.store->scene, settings_of(options, prepared.frame),
+                  {0, 0, static_cast<std::int32_t>(width), static_cast<std::int32_t>(height)},
+                  memory.workspace(), counts, image.pixels.data(), width);
+  return image;
+}
+
+/// An eye in the scene, close to it or far from it; windows of all widths, not all of them upright
+/// or rectangular.
+Camera random_camera(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  const auto vector = [&](double length) {
+    const double x = normal(random), y = normal(random), z = normal(random);
+    return Vec3{x * length, y * length, z * length};
+  };
+  const double away = std::pow(10.0, std::uniform_real_distribution<double>(-1, 2)(random));
+  const double wide = std::pow(10.0, std::uniform_real_distribution<double>(-1, 1.5)(random));
+  const Vec3 offset = vector(away), off_center = vector(0.7);
+  Camera camera;
+  camera.eye = {offset.x, offset.y, offset.z - 2};
+  camera.window_center = {off_center.x, off_center.y, off_center.z - 2};
+  camera.window_right = vector(wide);
+  camera.window_up = vector(wide);
+  return camera;
+}
+
+TEST(ScreenBounds, LeaveOutNothingThatARayMeets) {
+  std::mt19937 random(23);
+  Scene few = lab_scene();
+  for (const double x : {-1.0, 0.2, 0.9})
+    add_sphere(few, {x, 0.3 * x, -2 - x}, 0.4, {.ambient = {1, 1, 1}, .diffuse = {1, 0, 0}});
+  RenderOptions options;
+  options.profile = profile_of(ProfileName::physical);
+  options.isa = Isa::portable;
+  options.max_depth = 1;
+  options.tile = 16;
+  int partly = 0;
+  for (Scene scene : {few, tangled_scene(), mixed_scene(), noisy_scene()}) {
+    scene.resolution = {61, 47};
+    scene.background = {0.1, 0.2, 0.3};
+    scene.ambient_light = {0.5, 0.5, 0.5};
+    for (int i = 0; i < 40; ++i) {
+      scene.camera = random_camera(random);
+      const auto prepared = prepare<float>(scene, options.profile);
+      const Image want = every_ray_traced(prepared, scene.resolution, options);
+      const Result<Rendering> got = render(scene, options);
+      ASSERT_TRUE(got) << i;
+      ASSERT_EQ(got->stats.rays.camera, 61u * 47u);
+      ASSERT_EQ(got->image.pixels.size(), want.pixels.size());
+      ASSERT_EQ(std::memcmp(got->image.pixels.data(), want.pixels.data(),
+                            want.pixels.size() * sizeof(float)),
+                0)
+          << "camera " << i;
+      const TileRect part = ScreenBounds(prepared.store->scene, 61, 47).part_of({0, 0, 61, 47});
+      partly += part.width * part.height > 0 && part.width * part.height < 61 * 47;
+    }
+  }
+  EXPECT_GT(partly, 25) << "too many of these cameras tell nothing";
+}
+
+/// The part of a tile in a picture of 100×100 pixels that spheres can be seen in, from the origin
+/// through a window from (-1, -1, -1) to (1, 1, -1).
+TileRect part_with(const std::vector<Sphere>& spheres, const TileRect& tile = {0, 0, 100, 100}) {
+  Scene scene = lab_scene();
+  scene.camera.eye = {0, 0, 0};
+  scene.camera.window_center = {0, 0, -1};
+  scene.camera.window_right = {2, 0, 0};
+  scene.camera.window_up = {0, 2, 0};
+  scene.materials = {{}};
+  for (const Sphere& sphere : spheres) scene.spheres.push_back({sphere, 0});
+  const auto prepared = prepare<float>(scene, profile_of(ProfileName::lab));
+  return ScreenBounds(prepared.store->scene, 100, 100).part_of(tile);
+}
+
+void expect_rect(const TileRect& rect, const TileRect& want) {
+  EXPECT_EQ(rect.x, want.x);
+  EXPECT_EQ(rect.y, want.y);
+  EXPECT_EQ(rect.width, want.width);
+  EXPECT_EQ(rect.height, want.height);
+}
+
+TEST(ScreenBounds, AreABoxAsItIsSeenAndAPixelMore) {
+  // x from 0.9 to 2.7, y from -0.9 to 0.9, z from -3 to -4.8: from column 50 + 50·0.9/4.8 = 59.4 to
+  // 50 + 50·2.7/3 = 95, from row 50 - 50·0.9/3 = 35 to 65.
+  const std::vector<Sphere> sphere = {{{1.8, 0, -3.9}, 0.9}};
+  expect_rect(part_with(sphere), {59, 34, 38, 33});
+  expect_rect(part_with(sphere, {48, 48, 30, 30}), {59, 48, 19, 19});
+}
+
+TEST(ScreenBounds, AreNothingBehindTheEyeAndAllAroundIt) {
+  expect_rect(part_with({{{0, 0, 5}, 1}}), {0, 0, 0, 0});
+  expect_rect(part_with({{{0, 0, -1}, 3}}), {0, 0, 100, 100});
+  // Before the eye and behind it.
+  expect_rect(part_with({{{5, 0, 0}, 1}}), {0, 0, 100, 100});
+}
+
+TEST(ScreenBounds, LeaveRoomBetweenPartsOfTheHierarchy) {
+  std::vector<Sphere> spheres;
+  for (int i = 0; i < 40; ++i)
+    spheres.push_back({{(i % 2 == 0 ? -3.0 : 3.0) + 0.01 * i, 0.05 * i, -5}, 0.1});
+  expect_rect(part_with(spheres, {40, 0, 20, 100}), {40, 0, 0, 0});
+  // All together from column 50 - 50·3.1/4.9 = 18.4 to 50 + 50·3.49/4.9 = 85.6.
+  EXPECT_EQ(part_with(spheres).x, 18);
+  EXPECT_EQ(part_with(spheres).width, 69);
+}
+
+}  // namespace
+}  // namespace zraka
