@@ -79,7 +79,8 @@ struct RenderOptions {
   std::function<void(std::uint64_t, std::uint64_t, std::uint64_t)> progress{};
 };
 
-/// Rays of each kind and how many of them (feelers aside) met a shape.
+/// Rays of each kind and how many of them (feelers aside) met a shape. Camera rays are those that
+/// the picture asks for; where no shape can be seen, they are answered without being traced.
 struct RayCounts {
   std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0, hits = 0;
   std::uint64_t total() const { return camera + shadow + reflected + refracted; }

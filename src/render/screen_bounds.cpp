@@ -45,7 +45,10 @@ struct ScreenBounds::Projection {
         0x1p-21 * (reach_of(first) + width * reach_of(right) + height * reach_of(down));
     column_margin = 1 + rounding * (reach_of(to_column) + width * reach_of(to_s));
     row_margin = 1 + rounding * (reach_of(to_row) + height * reach_of(to_s));
-    usable = std::isfinite(column_margin) && std::isfinite(row_margin);
+    // Where the window's plane all but holds the eye (views of 180° less a ten-thousandth),
+    // rounding can turn a ray to what is behind the eye.
+    usable = rounding * reach_of(to_s) < 0.5 && std::isfinite(column_margin) &&
+             std::isfinite(row_margin);
   }
 };
 
