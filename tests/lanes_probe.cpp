@@ -124,7 +124,7 @@ std::size_t wrong_pairs(unsigned seed) {
         const auto two =
             full ? kAll : static_cast<std::uint32_t>(below(std::size_t{1} << L::kWidth));
         const auto one = two | static_cast<std::uint32_t>(below(std::size_t{1} << L::kWidth));
-        for (std::int32_t i = 0; i < kMostInLeaf; ++i) {
+        for (std::int32_t i = 0; i < kMostInSmallLeaf; ++i) {
           const std::uint32_t wanted = i == 0 ? one : two;
           std::int32_t shapes[L::kWidth];
           for (std::size_t lane = 0; lane < L::kWidth; ++lane)

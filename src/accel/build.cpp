@@ -86,13 +86,28 @@ class Builder {
 };
 
 Node empty_node() {
-  Node node;
+  Node node{};
   for (std::size_t i = 0; i < kNodeWidth; ++i) {
     set_box(node, i, {});
     node.child[i] = 0;
     node.leaf[i] = kNoChild;
   }
   return node;
+}
+
+/// The sets of a node's children, from each child's own words.
+void set_sets(Node& node) {
+  const auto add = [](std::uint16_t& set, auto i) {
+    set = static_cast<std::uint16_t>(set | 1u << i);
+  };
+  for (std::size_t i = 0; i < kNodeWidth; ++i) {
+    const std::int32_t leaf = node.leaf[i];
+    if (leaf == kNoChild) continue;
+    add(node.children, i);
+    if (leaf == 0 || leaf_count(leaf) > kMostInSmallLeaf) continue;
+    add(node.small_leaves[leaf_kind(leaf)][leaf_count(leaf) - 1], i);
+    add(node.small_kinds, leaf_kind(leaf));
+  }
 }
 
 /// Ranges of equal size.
@@ -185,10 +200,10 @@ std::int32_t place(const NodePool& pool, std::int32_t from,
                    const std::vector<std::int32_t>& place_in_kind, std::vector<Node>& nodes) {
   const std::size_t at = nodes.size();
   nodes.push_back(pool[from]);
+  set_sets(nodes[at]);
   for (std::size_t i = 0; i < kNodeWidth; ++i) {
-    const bool there = nodes[at].lower_x[i] <= nodes[at].upper_x[i];
     const std::int32_t child = nodes[at].child[i];
-    if (!there) continue;
+    if (nodes[at].leaf[i] == kNoChild) continue;
     if (nodes[at].leaf[i] == 0)
       nodes[at].child[i] = place(pool, child, place_in_kind, nodes);
     else if (!place_in_kind.empty())

@@ -197,6 +197,7 @@ class Bundle {
     F nearest(kFarAway<R>);
     FewRays<L> few;
     std::size_t asked = 0;
+    std::uint32_t met_by_any = 0, kinds = 0;
     for (std::uint32_t left = rays; left != 0; left &= left - 1, ++asked) {
       const auto i = static_cast<std::size_t>(__builtin_ctz(left));
       F enter[3], leave[3];
@@ -218,17 +219,18 @@ class Bundle {
       if constexpr (kPairs) {
         few.ray[asked] = static_cast<std::int32_t>(i);
         few.met[asked] = bits(met);
+        met_by_any |= few.met[asked];
       }
     }
+    if constexpr (!kPairs) met_by_any = ~bits(through == I(0)) & kAllLanes;
     // A missing child's box is empty only as long as its sides are not turned round.
-    std::uint32_t all = ~bits(through == I(0)) & kAllLanes, kinds = 0;
-    if (!kSameSides) all &= bits(x.enter <= x.leave);
+    if (!kSameSides) met_by_any &= static_cast<std::uint32_t>(node.children >> k);
     if constexpr (kPairs) {
       few.count = asked;
-      kinds = pair_small_leaves(node, k, few, all, pairs);
-      if (all == 0) return kinds;
+      kinds = pair_small_leaves(node, k, few, met_by_any, pairs);
+      if (met_by_any == 0) return kinds;
     }
-    stack.push_children(node, k, all, nearest, through);
+    stack.push_children(node, k, met_by_any, nearest, through);
     return kinds;
   }
 
@@ -239,18 +241,18 @@ class Bundle {
                                                const FewRays<L>& rays, std::uint32_t& met,
                                                Pairs<L>& pairs) const {
     using I = typename L::I;
-    const I leaves = L::load(node.leaf + k), first = L::load(node.child + k);
-    std::uint32_t kinds = 0, left = met & ~bits(leaves == I(0));
-    static_assert(kMostInLeaf == 2);
-    for (std::int32_t kind = 0; left != 0 && kind < kKinds; ++kind) {
-      const std::uint32_t one = left & bits(leaves == I(leaf_of(1, kind)));
-      const std::uint32_t two = left & bits(leaves == I(leaf_of(2, kind)));
+    const I first = L::load(node.child + k);
+    std::uint32_t kinds = 0;
+    static_assert(kMostInSmallLeaf == 2);
+    for (std::uint32_t left = node.small_kinds; left != 0; left &= left - 1) {
+      const auto kind = static_cast<std::size_t>(__builtin_ctz(left));
+      const std::uint32_t one = met & static_cast<std::uint32_t>(node.small_leaves[kind][0] >> k);
+      const std::uint32_t two = met & static_cast<std::uint32_t>(node.small_leaves[kind][1] >> k);
       if ((one | two) == 0) continue;
       PairQueue<L>& queue = pairs.of_kind[kind];
       queue.add(rays, one | two, first);
       if (two != 0) queue.add(rays, two, first + I(1));
       if (queue.ready(false)) kinds |= 1u << kind;
-      left &= ~(one | two);
       met &= ~(one | two);
     }
     return kinds;

@@ -9,9 +9,6 @@
 
 namespace zraka::ZRAKA_ISA {
 
-/// Leaves of up to so many shapes become pairs as their node is met, where rays are few.
-inline constexpr std::int32_t kMostInLeaf = 2;
-
 /// What few rays of a bundle have met of a node's children.
 template <class L>
 struct FewRays {
@@ -27,7 +24,7 @@ template <class L>
 class PairQueue {
  public:
   /// What may be added before any are taken: the pairs of one node's leaves, or of one leaf.
-  static constexpr std::size_t kMostAtOnce = kMostInLeaf * kNodeWidth * FewRays<L>::kMost;
+  static constexpr std::size_t kMostAtOnce = kMostInSmallLeaf * kNodeWidth * FewRays<L>::kMost;
 
   /// Whether there are enough for a register; or any at all, if all are to be taken.
   ZRAKA_INLINE bool ready(bool all) const { return end_ - begin_ >= (all ? 1 : L::kWidth); }

@@ -45,6 +45,7 @@ enum Kind : std::int32_t {
 #undef ZRAKA_KIND
       kKinds
 };
+static_assert(kKinds <= kMostKinds);
 
 /// The kind in the list of shapes.
 constexpr std::int32_t kind_as_read(std::int32_t kind) {

@@ -12,6 +12,13 @@ namespace zraka {
 /// Children of a node; also the most primitives of a leaf, which is one register of the widest set.
 inline constexpr int kNodeWidth = 16;
 
+/// Leaves of up to so many shapes are small: rays that are few meet their shapes without visiting
+/// them.
+inline constexpr std::int32_t kMostInSmallLeaf = 2;
+
+/// Kinds of shapes that a node has room for.
+inline constexpr std::size_t kMostKinds = 8;
+
 /// Levels of nodes that a hierarchy may have.
 inline constexpr int kMaxNodeDepth = 64;
 
@@ -41,7 +48,12 @@ struct alignas(64) Node {
   /// An inner child: 0. A leaf: leaf_of() its number of primitives and their kind. A missing child:
   /// kNoChild.
   std::int32_t leaf[kNodeWidth];
+  /// The same as sets of children, a bit each: those with one shape, with two…, by their kind.
+  std::uint16_t small_leaves[kMostKinds][kMostInSmallLeaf];
+  std::uint16_t children;     ///< all that there are
+  std::uint16_t small_kinds;  ///< which kinds have small leaves, a bit each
 };
+static_assert(kNodeWidth <= 16);
 
 /// An empty hierarchy (no nodes) means that the shapes are few enough to be asked one by one.
 struct Hierarchy {
