@@ -86,6 +86,8 @@ class UnorderedStack {
     --size_;
     return {0, child_[size_], leaf_[size_], static_cast<std::uint32_t>(rays_[size_])};
   }
+  /// An entry for no rays, if there is none.
+  ZRAKA_INLINE Entry pop_if_any() { return empty() ? Entry{0, 0, 0, 0} : pop(); }
   ZRAKA_INLINE void push(const Entry& entry) { push_if(true, entry); }
   ZRAKA_INLINE void push_if(bool wanted, const Entry& entry) {
     child_[size_] = entry.child;

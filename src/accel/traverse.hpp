@@ -74,10 +74,17 @@ std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& las
   UnorderedStack<L> stack;
   stack.push({0, 0, 0, left});
   if (last.leaf != 0) stack.push({0, last.child, last.leaf, left});
-  while (!stack.empty() && left != 0) {
-    const BundleEntry<R> entry = stack.pop();
+  // An entry is taken before the one in front of it has put its children on the stack: so the
+  // processor knows where to go on, and begins with it meanwhile. No order counts here.
+  BundleEntry<R> ahead = stack.pop();
+  while (left != 0) {
+    const BundleEntry<R> entry = ahead;
+    ahead = stack.pop_if_any();
     const std::uint32_t asking = entry.rays & left;
-    if (asking == 0) continue;
+    if (asking == 0) {
+      if (ahead.rays == 0) break;
+      continue;
+    }
     std::uint32_t blocked = 0, kinds = 0;
     if (entry.leaf == 0)
       kinds = bundle.push_children(scene.hierarchy.nodes[entry.child], asking, t, farthest, stack,
