@@ -18,5 +18,8 @@ inline void make_sample(SmoothTriangle& s) {
 inline void make_sample(Cone& s) {
   s = {{0, -0.8, 0.1}, 0.6, {0.2, 0.8, 0}, 0.3};
 }
+inline void make_sample(Cylinder& s) {
+  s = {{{0, -0.8, 0.1}, 0.45, {0.2, 0.8, 0}, 0.45}};
+}
 
 }  // namespace zraka::micro

@@ -130,12 +130,21 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
+/// Which of the kinds that there are for them a scene's shapes become.
+struct ChosenKinds {
+  bool anchored_spheres, cylinders;
+};
+
 /// The objects that become shapes of this kind.
 template <class Shape>
-const auto& objects_as(const Scene& scene, bool anchored) {
-  static const std::vector<Object<Sphere>> kNone;
+const auto& objects_as(const Scene& scene, const ChosenKinds& chosen) {
+  static const std::vector<Object<Sphere>> kNoSpheres;
+  static const std::vector<Object<Cone>> kNoCones;
   if constexpr (std::is_base_of_v<Sphere, Shape>)
-    return anchored == std::is_same_v<Shape, AnchoredSphere> ? scene.spheres : kNone;
+    return chosen.anchored_spheres == std::is_same_v<Shape, AnchoredSphere> ? scene.spheres
+                                                                            : kNoSpheres;
+  else if constexpr (std::is_base_of_v<Cone, Shape>)
+    return chosen.cylinders == std::is_same_v<Shape, Cylinder> ? scene.cones : kNoCones;
 #define ZRAKA_ELSE(Type, plural) \
   else if constexpr (std::is_same_v<Shape, Type>) return scene.plural;
   ZRAKA_SHAPES(ZRAKA_ELSE)
@@ -186,6 +195,12 @@ bool has_ground_sphere(const Scene& scene, const Frame& frame) {
   return !reaches.empty() && largest > 4 * median(reaches);
 }
 
+bool all_are_cylinders(const std::vector<Object<Cone>>& cones) {
+  return std::all_of(cones.begin(), cones.end(), [](const Object<Cone>& object) {
+    return object.shape.base_radius == object.shape.apex_radius;
+  });
+}
+
 }  // namespace
 
 Frame frame_of(const Scene& scene) {
@@ -222,10 +237,10 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
   frozen.light_count = static_cast<std::int32_t>(store->lights.size());
 
   // One array for all the numbers: materials first, then column by column of each kind of shape.
-  const bool anchored = has_ground_sphere(scene, frame);
+  const ChosenKinds chosen{has_ground_sphere(scene, frame), all_are_cylinders(scene.cones)};
   std::size_t reals = scene.materials.size() * kMaterialReals;
 #define ZRAKA_COUNT(Type, plural)                                        \
-  reals += (objects_as<Type>(scene, anchored).size() + kColumnPadding) * \
+  reals += (objects_as<Type>(scene, chosen).size() + kColumnPadding) * \
            static_cast<std::size_t>(ShapeTraits<Type>::kReals);
   ZRAKA_KINDS(ZRAKA_COUNT)
 #undef ZRAKA_COUNT
@@ -261,7 +276,7 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
     });
     material += room;
   };
-#define ZRAKA_FREEZE(Type, plural) freeze_shapes(objects_as<Type>(scene, anchored), frozen.plural);
+#define ZRAKA_FREEZE(Type, plural) freeze_shapes(objects_as<Type>(scene, chosen), frozen.plural);
   ZRAKA_KINDS(ZRAKA_FREEZE)
 #undef ZRAKA_FREEZE
   return store;

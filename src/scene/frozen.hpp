@@ -49,7 +49,9 @@ static_assert(kKinds <= kMostKinds);
 
 /// The kind in the list of shapes.
 constexpr std::int32_t kind_as_read(std::int32_t kind) {
-  return kind == kKindOfAnchoredSphere ? kKindOfSphere : kind;
+  return kind == kKindOfAnchoredSphere ? kKindOfSphere
+         : kind == kKindOfCylinder     ? kKindOfCone
+                                       : kind;
 }
 
 /// Columns have room for reads of this many values past their end.

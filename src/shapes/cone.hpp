@@ -2,9 +2,14 @@
 // The open cone, frustum and cylinder.
 #pragma once
 
+#include <algorithm>
+
 #include "shapes/triangle.hpp"
 
 namespace zraka {
+
+/// A cone of one radius among others like it: without what changes along the axis.
+struct Cylinder : Cone {};
 
 template <>
 struct ShapeTraits<Cone> {
@@ -62,26 +67,68 @@ struct ShapeTraits<Cone> {
   }
 };
 
+template <>
+struct ShapeTraits<Cylinder> : ShapeTraits<Cone> {
+  static constexpr const char* kName = "cylinder";
+  /// Middle of the axis; unit axis; radius; half the axis' length.
+  static constexpr int kReals = 8, kHitReals = 8;
+
+  static Box frozen_bounds(const double* s) {
+    const double cone[] = {s[0], s[1], s[2], s[3], s[4], s[5], s[6], 0, s[7]};
+    return ShapeTraits<Cone>::frozen_bounds(cone);
+  }
+
+  static void freeze(const Cone& s, const Frame& frame, double* out) {
+    double cone[ShapeTraits<Cone>::kReals];
+    ShapeTraits<Cone>::freeze(s, frame, cone);
+    std::copy_n(cone, 7, out);
+    out[7] = cone[8];
+  }
+};
+
 #ifdef ZRAKA_ISA
 namespace ZRAKA_ISA {
 
+/// A cone's radius along its axis, and half the axis' length.
 template <class L>
-struct ShapeLanes<Cone, L> {
+struct SlopingSide {
+  using F = typename L::F;
+  static constexpr bool kSlopes = true;
+  static ZRAKA_INLINE F radius(const F* s, const F& y) { return s[6] + s[7] * y; }
+  static ZRAKA_INLINE F half_length(const F* s) { return s[8]; }
+};
+
+/// A cylinder's: what a cone computes with a slope of 0, bit by bit.
+template <class L>
+struct StraightSide {
+  using F = typename L::F;
+  static constexpr bool kSlopes = false;
+  static ZRAKA_INLINE F radius(const F* s, const F&) { return s[6]; }
+  static ZRAKA_INLINE F half_length(const F* s) { return s[7]; }
+};
+
+/// What cones and cylinders share.
+template <class L, class Side>
+struct ConeLanes {
   using F = typename L::F;
 
   /// With y along the axis from its middle and p across, |p|² = (r + k·y)²; a quadratic in the
   /// distance from the ray's point nearest to the middle, so that its numbers are of the cone's
   /// size, not of the origin's distance.
-  static ZRAKA_INLINE F intersect(const F (&s)[9], const V3<F>& origin, const V3<F>& direction) {
+  static ZRAKA_INLINE F intersect(const F* s, const V3<F>& origin, const V3<F>& direction) {
     const V3<F> axis{s[3], s[4], s[5]};
     const V3<F> from_middle{origin.x - s[0], origin.y - s[1], origin.z - s[2]};
     const F shift = -dot(from_middle, direction);
     const V3<F> at = from_middle + direction * shift;
     const F y = dot(at, axis), dy = dot(direction, axis);
     const V3<F> p = at - axis * y, dp = direction - axis * dy;
-    const F radius = s[6] + s[7] * y, dr = s[7] * dy;
-    const F a = dot(dp, dp) - dr * dr;
-    const F b = dot(p, dp) - radius * dr;
+    const F radius = Side::radius(s, y);
+    F a = dot(dp, dp), b = dot(p, dp);
+    if constexpr (Side::kSlopes) {
+      const F dr = s[7] * dy;
+      a = a - dr * dr;
+      b = b - radius * dr;
+    }
     const F c = dot(p, p) - radius * radius;
     const F discriminant = b * b - a * c;
     if (!any(discriminant >= F(0.0f))) return F(-1.0f);
@@ -92,13 +139,14 @@ struct ShapeLanes<Cone, L> {
     const F margin = hit_margin<L>(origin);
     const auto valid = [&](const F& x) {
       const F height = y + x * dy;
-      const F at_height = s[6] + s[7] * height;
+      const F at_height = Side::radius(s, height);
       // For flat cones and along the side the roots are noise; a hit must lie within the solid
       // cone.
       const V3<F> across = p + dp * x;
       const F reach = at_height + margin;
-      const auto on_side = both(both(abs(height) <= s[8], at_height >= F(0.0f)),
-                                dot(across, across) <= reach * reach);
+      auto on_side =
+          both(abs(height) <= Side::half_length(s), dot(across, across) <= reach * reach);
+      if constexpr (Side::kSlopes) on_side = both(on_side, at_height >= F(0.0f));
       const auto ahead = x + shift > F(0.0f);
       return select(both(both(on_side, ahead), discriminant >= F(0.0f)), x + shift, far);
     };
@@ -106,23 +154,32 @@ struct ShapeLanes<Cone, L> {
     return select(nearest < far, nearest, F(-1.0f));
   }
 
-  static ZRAKA_INLINE SurfacePoint<L> surface(const F (&s)[9], const V3<F>&, const V3<F>& direction,
+  static ZRAKA_INLINE SurfacePoint<L> surface(const F* s, const V3<F>&, const V3<F>& direction,
                                               const V3<F>& point) {
     const V3<F> axis{s[3], s[4], s[5]};
     const V3<F> from_middle{point.x - s[0], point.y - s[1], point.z - s[2]};
     const F y = dot(from_middle, axis);
     const V3<F> across = from_middle - axis * y;
     const F away = sqrt(dot(across, across));
-    const V3<F> out = across * (F(1.0f) / away);
-    const F slope = F(1.0f) / sqrt(F(1.0f) + s[7] * s[7]);
-    const V3<F> normal = (out - axis * s[7]) * slope;
-    const V3<F> on_surface = point - normal * ((away - (s[6] + s[7] * y)) * slope);
+    V3<F> normal = across * (F(1.0f) / away);
+    F above = away - Side::radius(s, y);
+    if constexpr (Side::kSlopes) {
+      const F slope = F(1.0f) / sqrt(F(1.0f) + s[7] * s[7]);
+      normal = (normal - axis * s[7]) * slope;
+      above = above * slope;
+    }
+    const V3<F> on_surface = point - normal * above;
     const auto largest = [](const V3<F>& v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); };
     const F magnitude = largest(on_surface) + (largest(from_middle) + s[6]);
     return {on_surface, normal, magnitude * F(sizeof(typename L::Real) == 4 ? 0x1p-20f : 0x1p-49f),
             dot(normal, direction) > F(0.0f)};
   }
 };
+
+template <class L>
+struct ShapeLanes<Cone, L> : ConeLanes<L, SlopingSide<L>> {};
+template <class L>
+struct ShapeLanes<Cylinder, L> : ConeLanes<L, StraightSide<L>> {};
 
 }  // namespace ZRAKA_ISA
 #endif

@@ -8,7 +8,8 @@
 #include "shapes/triangle.hpp"
 
 /// X(Type, plural): every kind of shape that the engine knows. A scene's spheres are all of the one
-/// kind or all of the other.
-#define ZRAKA_KINDS(X) \
-  ZRAKA_SHAPES(X)      \
-  X(AnchoredSphere, anchored_spheres)
+/// kind or all of the other, and so are its cones.
+#define ZRAKA_KINDS(X)                \
+  ZRAKA_SHAPES(X)                     \
+  X(AnchoredSphere, anchored_spheres) \
+  X(Cylinder, cylinders)
