@@ -78,6 +78,7 @@ ZRAKA_INLINE void surface_of(const FrozenShapes<typename L::Real, Shape>& shapes
                              SurfacePoint<L>& surface, typename L::I& material) {
   using F = typename L::F;
   using I = typename L::I;
+  if (shapes.count == 0) return;
   const auto mine =
       but_not(slot >= I(shapes.first_slot), slot >= I(shapes.first_slot + shapes.count));
   if (!any(mine)) return;
