@@ -15,6 +15,8 @@ namespace zraka {
 namespace {
 
 constexpr double kTurn = 6.28318530717958648;
+/// Exponents of highlights, as the Standard Procedural Databases' generators write them.
+constexpr double kHighlight = 3.0827, kMatt = 100000;
 
 Vec3 operator+(const Vec3& a, const Vec3& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -109,63 +111,88 @@ void sphereflake(Lines& out, int size) {
   flake(out, {0, 0, 0}, 0.5, {0, 0, 1}, size);
 }
 
+/// The lattice of the Standard Procedural Databases (Antonio Costa, 1993), with its view and
+/// lights: mirroring spheres on the corners of size³ cubes, matt cylinders along their edges.
 void lattice(Lines& out, int size) {
-  out.view({1.9, -1.1, 1.5}, {0.5, 0.5, 0.4}, {0, 0, 1}, 40);
-  ground_and_lights(out, -0.1);
-  const double step = size > 1 ? 1.0 / (size - 1) : 1, radius = step * 0.2;
-  out.material(0.8, 0.8, 0.9, 0.6, 0.3, 20);
-  for (int x = 0; x < size; ++x)
-    for (int y = 0; y < size; ++y)
-      for (int z = 0; z < size; ++z) out.sphere(Vec3{1.0 * x, 1.0 * y, 1.0 * z} * step, radius);
-  out.material(0.9, 0.4, 0.3, 0.8, 0, 1);
-  for (int x = 0; x < size; ++x)
-    for (int y = 0; y < size; ++y)
-      for (int z = 0; z < size; ++z) {
-        const Vec3 at = Vec3{1.0 * x, 1.0 * y, 1.0 * z} * step;
-        if (x + 1 < size) out.cylinder(at, at + Vec3{step, 0, 0}, radius / 3);
-        if (y + 1 < size) out.cylinder(at, at + Vec3{0, step, 0}, radius / 3);
-        if (z + 1 < size) out.cylinder(at, at + Vec3{0, 0, step}, radius / 3);
-      }
-}
-
-/// Five spheres around an axis, joined by cylinders.
-void ring(Lines& out, const Vec3& center, const Vec3& axis, double radius) {
-  const Vec3 side = unit(cross(axis, {0.3, 0.5, 0.8})), other = cross(axis, side);
-  const auto joint = [&](int i) {
-    const double turn = kTurn * i / 5;
-    return center + (side * std::cos(turn) + other * std::sin(turn)) * radius;
-  };
-  for (int i = 0; i < 5; ++i) {
-    out.sphere(joint(i), radius * 0.13);
-    out.cylinder(joint(i), joint(i + 1), radius * 0.08);
+  const double step = 1.0 / size, radius = step / 4;
+  const double aside = (size / 2 + 0.5) * step;  // between two rows of spheres
+  out.view({aside, 1, 1 - step / 2}, {aside, -1, -1 - step / 2}, {0.2, 1, 0}, 60);
+  for (const double side : {2.0, -1.0}) {
+    out.light({side, 0.5, 0.5});
+    out.light({0.5, side, 0.5});
+    out.light({0.5, 0.5, side});
   }
+  const auto corners = [&](int last_x, int last_y, int last_z, const auto& function) {
+    for (int x = 0; x <= last_x; ++x)
+      for (int y = 0; y <= last_y; ++y)
+        for (int z = 0; z <= last_z; ++z) function(Vec3{1.0 * x, 1.0 * y, 1.0 * z} * step);
+  };
+  out.material(0.9, 0.9, 0.9, 0.5, 0.5, kHighlight);
+  corners(size, size, size, [&](const Vec3& at) { out.sphere(at, radius); });
+  // They begin within the spheres.
+  const double from = radius / 2 * 0.99, to = step - from;
+  out.material(0.9, 0.1, 0.1, 0.99, 0, kMatt);
+  corners(size - 1, size, size, [&](const Vec3& at) {
+    out.cylinder(at + Vec3{from, 0, 0}, at + Vec3{to, 0, 0}, radius / 4);
+  });
+  out.material(0.1, 0.9, 0.1, 0.99, 0, kMatt);
+  corners(size, size - 1, size, [&](const Vec3& at) {
+    out.cylinder(at + Vec3{0, from, 0}, at + Vec3{0, to, 0}, radius / 4);
+  });
+  out.material(0.1, 0.1, 0.9, 0.99, 0, kMatt);
+  corners(size, size, size - 1, [&](const Vec3& at) {
+    out.cylinder(at + Vec3{0, 0, from}, at + Vec3{0, 0, to}, radius / 4);
+  });
 }
 
-/// Shapes of a pixel or two that mirror each other: rays that go nowhere together. After the rings
-/// of Haines' Standard Procedural Databases.
+/// The pentagon that joins the middles of five of a dodecahedron's edges: the first of six lies
+/// across z, the others lean on it by the angle between two faces.
+std::array<Vec3, 5> pentagon(int number, double radius) {
+  std::array<Vec3, 5> corners;
+  const double lean = number == 0 ? 0 : 2 * std::acos(0.5 / std::sin(kTurn / 10));
+  const double turn = number == 0 ? 0 : kTurn * (2 * number - 1) / 10;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double around = kTurn * static_cast<double>(i) / 5;
+    const double x = radius * std::cos(around), y = radius * std::sin(around) * std::cos(lean);
+    corners[i] = {x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn),
+                  radius * std::sin(around) * std::sin(lean)};
+  }
+  return corners;
+}
+
+/// The rings of the Standard Procedural Databases (Haines, 1987), with their view and lights: a
+/// pyramid of balls of six pentagons each, of spheres and cylinders that mirror each other, before
+/// a wall.
 void rings(Lines& out, int size) {
-  out.view({2.2, -1.5, 1.7}, {0, 0, -0.12}, {0, 0, 1}, 28);
-  ground_and_lights(out, -0.5);
-  const double golden = (1 + std::sqrt(5.0)) / 2, step = 1.2 / size;
-  const std::array<Vec3, 6> axes = {{{0, 1, golden},
-                                     {0, 1, -golden},
-                                     {1, golden, 0},
-                                     {-1, golden, 0},
-                                     {golden, 0, 1},
-                                     {-golden, 0, 1}}};
-  int balls = 0;
-  for (int layer = 0; layer < size; ++layer)
-    for (int i = 0; i < size - layer; ++i)
-      for (int j = 0; j < size - layer; ++j, ++balls) {
-        const double middle = (size - layer - 1) / 2.0;
-        out.material(balls % 3 == 0 ? 0.8 : 0.3, balls % 3 == 1 ? 0.6 : 0.3,
-                     balls % 3 == 2 ? 0.8 : 0.2, 0.5, 0.5, 15);
-        for (const Vec3& axis : axes)
-          ring(out,
-               Vec3{(i - middle) * step, (j - middle) * step, -0.5 + (0.55 + 0.8 * layer) * step} +
-                   unit(axis) * (step * 0.06),
-               unit(axis), step * 0.42);
-      }
+  const double layer = 1 / std::sin(kTurn / 16);  // from one layer to the next, and to the eye
+  const double thick = 0.07412, wide = 1 / (1 + thick);
+  const Vec3 eye{-1, -layer, 0.5};
+  out.view(eye, eye + Vec3{0, 1, 0}, {0, 0, 1}, 45);
+  out.light({3, -layer, 3});
+  out.light({-4, -layer, 1});
+  out.light({2, -layer, -4});
+  // The wall is 1 % larger than what is seen of it.
+  const double back = layer * (size + 1), reach = 1.01 * (back + layer) * std::tan(kTurn / 16);
+  out.material(1, 1, 1, 1, 0, kMatt);
+  out.polygon(std::array<Vec3, 4>{{{eye.x + reach, back, eye.z + reach},
+                                   {eye.x - reach, back, eye.z + reach},
+                                   {eye.x - reach, back, eye.z - reach},
+                                   {eye.x + reach, back, eye.z - reach}}});
+  constexpr std::array<Color, 6> kColors = {
+      {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}, {1, 0, 1}, {1, 1, 0}}};
+  for (std::size_t ring = 0; ring < kColors.size(); ++ring) {
+    const std::array<Vec3, 5> corners = pentagon(static_cast<int>(ring), wide);
+    out.material(kColors[ring].r, kColors[ring].g, kColors[ring].b, 0.5, 0.2, kHighlight);
+    for (int depth = 0; depth < size; ++depth)
+      for (int z = 0; z <= depth; ++z)
+        for (int x = 0; x <= depth; ++x) {
+          const Vec3 center{2.0 * x - depth, layer * (depth + 1), 2.0 * z - depth};
+          for (std::size_t i = 0; i < corners.size(); ++i) {
+            out.sphere(center + corners[i], thick);
+            out.cylinder(center + corners[i], center + corners[(i + 4) % 5], thick);
+          }
+        }
+  }
 }
 
 void spheres(Lines& out, int size, std::uint32_t seed) {

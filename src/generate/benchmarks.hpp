@@ -17,7 +17,7 @@ struct Benchmark {
 inline constexpr Benchmark kBenchmarks[] = {
     {"sphereflake",
      "a sphere with nine smaller ones on it, SIZE times over: (9^(SIZE+1) - 1)/8 spheres", 0, 4, 8},
-    {"lattice", "SIZE³ spheres in a cubic lattice, joined by cylinders", 1, 10, 200},
+    {"lattice", "(SIZE + 1)³ spheres in a cubic lattice, joined by cylinders", 1, 12, 200},
     {"rings", "a pyramid of SIZE layers of balls, each of six rings of five spheres and cylinders",
      1, 7, 60},
     {"spheres", "10^SIZE mirroring and matt spheres anywhere in a cube", 0, 4, 8},
