@@ -51,6 +51,31 @@ TEST(Build, StaysFlatEnoughForItsStack) {
   EXPECT_LE(deepest, kMaxNodeDepth);
 }
 
+TEST(Build, KeepsTheSetsOfANodesChildren) {
+  BuildRefs refs(2000);  // two kinds, side by side
+  for (std::size_t i = 0; i < refs.size(); ++i) {
+    const auto x = static_cast<float>(i * 37 % 100), y = static_cast<float>(i * 37 / 100 % 100);
+    refs[i] = {{x, y, 0}, {x + 0.1f, y + 0.1f, 1}, static_cast<std::int32_t>(i)};
+  }
+  std::size_t small = 0;
+  for (const Node& node : build_hierarchy(std::move(refs), {0, 1000, 2000}).nodes) {
+    for (std::size_t i = 0; i < kNodeWidth; ++i) {
+      const std::int32_t leaf = node.leaf[i];
+      EXPECT_EQ((node.children >> i & 1) != 0, leaf != kNoChild);
+      for (std::int32_t kind = 0; kind < 2; ++kind)
+        for (std::int32_t count = 1; count <= kMostInSmallLeaf; ++count) {
+          const bool is = (node.small_leaves[kind][count - 1] >> i & 1) != 0;
+          EXPECT_EQ(is, leaf == leaf_of(count, kind));
+          small += is;
+          if (is) EXPECT_NE(node.small_kinds >> kind & 1, 0);
+        }
+    }
+    for (int kind = 2; kind < static_cast<int>(kMostKinds); ++kind)
+      EXPECT_EQ(node.small_kinds >> kind & 1, 0);
+  }
+  EXPECT_GT(small, 0u);
+}
+
 float half_area(const Box& box) {
   const Vec3 size{box.upper.x - box.lower.x, box.upper.y - box.lower.y, box.upper.z - box.lower.z};
   return static_cast<float>(size.x * size.y + size.y * size.z + size.z * size.x);

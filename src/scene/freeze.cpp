@@ -239,7 +239,7 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
   // One array for all the numbers: materials first, then column by column of each kind of shape.
   const ChosenKinds chosen{has_ground_sphere(scene, frame), all_are_cylinders(scene.cones)};
   std::size_t reals = scene.materials.size() * kMaterialReals;
-#define ZRAKA_COUNT(Type, plural)                                        \
+#define ZRAKA_COUNT(Type, plural)                                      \
   reals += (objects_as<Type>(scene, chosen).size() + kColumnPadding) * \
            static_cast<std::size_t>(ShapeTraits<Type>::kReals);
   ZRAKA_KINDS(ZRAKA_COUNT)

@@ -52,6 +52,7 @@ struct alignas(64) Node {
   std::uint16_t small_leaves[kMostKinds][kMostInSmallLeaf];
   std::uint16_t children;     ///< all that there are
   std::uint16_t small_kinds;  ///< which kinds have small leaves, a bit each
+  friend bool operator==(const Node&, const Node&) = default;
 };
 static_assert(kNodeWidth <= 16);
 
