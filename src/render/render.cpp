@@ -111,12 +111,16 @@ template <class R, class SceneRef>
 bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOptions& options,
                        int tile, int threads, Rendering& rendering) {
   const auto start = std::chrono::steady_clock::now();
+  const Resolution resolution = scene.resolution;
   const PreparedScene<R> prepared = prepare<R>(std::forward<SceneRef>(scene), options.profile);
   rendering.stats.build_seconds = seconds_since(start);
   rendering.stats.scene_bytes = prepared.store->bytes();
   rendering.stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node) +
                                 prepared.hierarchy.place.size() * sizeof(std::int32_t);
 
+  // Not before: while a scene is frozen, memory is fullest.
+  const std::uint32_t more = options.profile.average_corners ? 1 : 0;
+  rendering.image = Image(resolution.width + more, resolution.height + more);
   const auto traced = std::chrono::steady_clock::now();
   const bool complete =
       render_tiles(prepared.store->scene, kernel, settings_of(options, prepared.frame), options,
@@ -145,8 +149,6 @@ Result<Rendering> render_right_or_wrong(SceneRef&& scene, const RenderOptions& o
                             static_cast<std::size_t>(threads));
   Rendering rendering;
   try {
-    const std::uint32_t more = options.profile.average_corners ? 1 : 0;
-    rendering.image = Image(resolution.width + more, resolution.height + more);
     rendering.stats.isa = *isa;
     rendering.stats.threads = threads;
     const bool complete =
