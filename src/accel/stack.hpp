@@ -106,7 +106,9 @@ class UnorderedStack {
   ZRAKA_INLINE void sort_from(std::size_t) {}
 
  private:
-  static constexpr std::size_t kRoom = kStackSize + L::kWidth;  // and what is written beyond
+  // Who takes an entry ahead of its turn goes down in two places at once, and leaves as much behind
+  // in each; besides, what is written beyond.
+  static constexpr std::size_t kRoom = 2 * kStackSize + L::kWidth;
   std::size_t size_ = 0;
   std::int32_t child_[kRoom], leaf_[kRoom], rays_[kRoom];
 };
