@@ -143,6 +143,21 @@ std::size_t wrong_pairs(unsigned seed) {
   return wrong;
 }
 
+bool stack_fits() {
+  UnorderedStack<L> stack;
+  BundleEntry<L::Real> ahead{0, 0, 0, 1};  // a child's number is its depth
+  for (int step = 0; step < 10000; ++step) {
+    const BundleEntry<L::Real> entry = ahead;
+    ahead = stack.pop_if_any();
+    if (entry.rays == 0 || entry.child + 1 == kMaxNodeDepth) continue;
+    for (int i = 0; i < kNodeWidth; ++i) {
+      if (!stack.fits()) return false;
+      stack.push({0, entry.child + 1, 0, 1});
+    }
+  }
+  return true;
+}
+
 [[maybe_unused]] const FrozenScene<float>* own(const FrozenScene<float>* f,
                                                const FrozenScene<double>*, float) {
   return f;
@@ -190,7 +205,7 @@ void trace(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
 
 LanesProbe probe();
 LanesProbe probe() {
-  return {{}, L::kWidth, power_of, sphere, gather_four, wrong_pairs, trace};
+  return {{}, L::kWidth, power_of, sphere, gather_four, wrong_pairs, stack_fits, trace};
 }
 
 }  // namespace zraka::ZRAKA_ISA

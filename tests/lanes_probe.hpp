@@ -33,6 +33,9 @@ struct LanesProbe {
   /// Adds pairs to a queue in random order and takes them again: how many come out that should not,
   /// or not in their turn, or not at all.
   std::size_t (*wrong_pairs)(unsigned seed);
+  /// Whether a stack has room for the deepest tree there may be, of full nodes, when each entry is
+  /// taken ahead of its turn as feelers do.
+  bool (*stack_fits)();
   /// Hits of rays in a frozen scene, through its hierarchy if it has one: of floats, but of doubles
   /// for the oracle.
   void (*trace)(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,

@@ -118,6 +118,11 @@ TEST(Pairs, ComeOutInTheirTurn) {
       EXPECT_EQ(probe.wrong_pairs(seed), 0u) << "seed " << seed << " by " << name_of(probe.isa);
 }
 
+TEST(UnorderedStack, HasRoomForTwoWaysDown) {
+  for (const LanesProbe& probe : lanes_probes())
+    EXPECT_TRUE(probe.stack_fits()) << "by " << name_of(probe.isa);
+}
+
 /// One ray against one sphere, by every instruction set and the oracle.
 void expect_distance(std::vector<float> origin, std::vector<float> direction,
                      std::vector<float> sphere, float want) {

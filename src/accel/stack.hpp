@@ -105,6 +105,10 @@ class UnorderedStack {
   }
   ZRAKA_INLINE void sort_from(std::size_t) {}
 
+  /// Whether what is pushed next lies on the stack; it does, but a test has to
+  /// see it.
+  bool fits() const { return size_ + L::kWidth <= kRoom; }
+
  private:
   // Who takes an entry ahead of its turn goes down in two places at once, and leaves as much behind
   // in each; besides, what is written beyond.
