@@ -33,6 +33,54 @@ assert len(runs) == 7 and all(run["render"] > 0 and len(run["sha256"]) == 64 for
 assert all(entry["seconds_per_ray"] > 0 for entry in record["growth"])
 END
 
+# Rays counted by trying every shape in double, beside the engine's.
+for size in rings:1 lattice:2 sphereflake:2 terrain:3; do
+  "$zraka" generate "${size%:*}" --size "${size#*:}" -o "$folder/${size%:*}.nff" || fail "no scene $size"
+done
+cat >"$folder/glass.nff" <<'END'
+b 0.1 0.3 0.6
+v
+from 3 0.4 2
+at 0 0 0
+up 0 0 1
+angle 40
+hither 0.1
+resolution 128 128
+l 4 3 9
+l -2 -5 4
+f 1 0.8 0.3 1 0 10 0 1
+p 4
+9 9 -1
+-9 9 -1
+-9 -9 -1
+9 -9 -1
+f 0.9 0.9 1 0.1 0.2 30 0.8 1.5
+s 0 0 0 1
+s 0.5 1.6 -0.4 0.6
+END
+for scene in rings lattice sphereflake terrain glass; do
+  "$zraka" render "$folder/$scene.nff" --profile spd --stats=json -o "$folder/$scene.png" >"$folder/stats" 2>&1 ||
+    fail "no counts of $scene: $(cat "$folder/stats")"
+  "$programs/count_rays" "$folder/$scene.nff" >"$folder/counts" || fail "count_rays of $scene"
+  python3 - "$folder/stats" "$folder/counts" <<'END' || fail "other counts of $scene: $(cat "$folder/stats" "$folder/counts")"
+import json, sys
+stats = json.load(open(sys.argv[1]))
+rays = stats["rays"]
+ours = {
+    "rays that hit": stats["hits"],
+    "later rays": rays["reflected"] + rays["refracted"],
+    "shadow rays": rays["shadow"],
+}
+theirs = {name.strip(): int(count) for name, count in (line.rsplit(None, 1) for line in open(sys.argv[2]))}
+theirs["rays that hit"] = theirs["rays from the eye that hit"] + theirs["later rays that hit"]
+assert theirs["rays from the eye that hit"] > 1000
+for name, count in ours.items():
+    assert abs(count - theirs[name]) <= 2 + 0.0005 * count, name
+END
+done
+"$programs/count_rays" "$folder/glass.nff" --nearest 0.2 --outward-normals | diff -q - "$folder/counts" >/dev/null &&
+  fail "other rules, same counts"
+
 # What it says when something is wrong.
 expect() {
   local text=$1
