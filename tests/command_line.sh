@@ -81,7 +81,9 @@ expect 1 "the file is empty" "$zraka" info "$folder/empty.txt"
 # Output that cannot be written: exit code 1, the old file as it was.
 expect 1 "does its folder exist?" "$zraka" render "$scene" -o "$folder/no/a.png"
 expect 1 "it is a folder" "$zraka" render "$scene" -o "$folder"
-expect 1 "No space left on device" "$zraka" render "$scene" -o /dev/full
+expect 1 "/dev/full: error: cannot be written: No space left on device" "$zraka" render "$scene" -o /dev/full
+expect 1 "standard output: error: cannot be written: No space left on device" \
+  bash -c "'$zraka' render $scene -o - >/dev/full"
 echo old >"$folder/old.png"
 expect 1 "error" bash -c "ulimit -f 8; '$zraka' render $scene -o '$folder/old.png'"
 [ "$(cat "$folder/old.png")" = old ] || fail "a failed write changed the old file"

@@ -73,6 +73,38 @@ TEST(Png, ComesBackAsItWent) {
   std::filesystem::remove(path);
 }
 
+/// Larger than what one thread deflates at once, and nothing that deflates well.
+Image noise(std::uint32_t width, std::uint32_t height) {
+  Image image(width, height);
+  std::uint32_t state = 1;
+  for (float& value : image.pixels) {
+    state = state * 1664525 + 1013904223;
+    value = static_cast<float>(state >> 24) / 255.0f;
+  }
+  return image;
+}
+
+TEST(Png, IsTheSameFromAnyNumberOfThreads) {
+  for (const int bits : {8, 16})
+    for (const auto& [width, height] : {std::pair{701u, 403u}, {1u, 90000u}, {200000u, 3u}}) {
+      const Image image = noise(width, height);
+      const std::string png = encode_png(image, {bits, Transfer::linear, 1}).value();
+      for (const int threads : {0, 2, 5})
+        ASSERT_EQ(encode_png(image, {bits, Transfer::linear, threads}).value(), png);
+      const Image back = parse_image(png, "a").value().image;
+      ASSERT_EQ(back.width, width);
+      ASSERT_EQ(back.height, height);
+      for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        ASSERT_NEAR(back.pixels[i], image.pixels[i], 1e-6f) << i;
+    }
+}
+
+TEST(Png, KeepsItsPromiseAboutSize) {
+  // Each piece costs a few bytes; what does not deflate is stored as it is.
+  EXPECT_LT(encode_png(noise(701, 403)).value().size(), 3.01 * 701 * 403);
+  EXPECT_LT(encode_png(Image(2000, 2000)).value().size(), 100000u);
+}
+
 TEST(Png, HoldsNoDate) {
   const std::string path = testing::TempDir() + "zraka-date.png";
   ASSERT_TRUE(write_png(gradient(), path));

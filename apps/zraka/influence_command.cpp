@@ -122,8 +122,8 @@ int run(const Words& words) {
   if (!words.output.empty()) {
     const Result<Rendering> rendering = render(*scene, options);
     if (!rendering) return fail(rendering.error());
-    const Result<void> written =
-        write_png(marked(rendering->image, *found), words.output, {8, Transfer::srgb});
+    const Result<void> written = write_png(marked(rendering->image, *found), words.output,
+                                           {8, Transfer::srgb, options.threads});
     if (!written) return fail(written.error());
     if (words.output == "-") return kDone;
   }

@@ -97,8 +97,8 @@ int run(const Words& words) {
   if (!words.stats.empty())
     hash = std::async(std::launch::async, [&] { return sha256(rendering->image); });
   const auto written_from = std::chrono::steady_clock::now();
-  const Result<void> written =
-      write_png(rendering->image, words.output, {words.bits, options.profile.transfer});
+  const Result<void> written = write_png(rendering->image, words.output,
+                                         {words.bits, options.profile.transfer, options.threads});
   if (!written) return fail(written.error());
   seconds.write = since(written_from);
   if (words.stats == "json") print_json(*rendering, seconds, hash.get());

@@ -59,7 +59,9 @@ int run(const Words& words) {
   std::array<Difference, kStages - 1> differences;
   Result<void> written;
   const auto write = [&](const Image& image, const std::string& name) {
-    if (written) written = write_png(image, (out / name).string(), {8, options.profile.transfer});
+    if (written)
+      written =
+          write_png(image, (out / name).string(), {8, options.profile.transfer, options.threads});
   };
   for (std::size_t i = 0; i < kStages; ++i) {
     write((*images)[i], fmt::format("{}-{}.png", i + 1, kStageNames[i]));

@@ -49,6 +49,8 @@ class NewFile {
   ~NewFile();
 
   std::FILE* stream() const { return stream_; }
+  /// What people know it by: its path, or "standard output".
+  const std::string& name() const { return path_; }
   /// Flushes, closes, renames. A file that existed is as it was if this fails.
   Result<void> commit();
 

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG through libpng.
+// PNG through libpng, its rows deflated by several threads.
 #include <fmt/format.h>
 #include <png.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csetjmp>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <vector>
 #include <zraka/image.hpp>
 
 #include "core/file.hpp"
+#include "image/deflate.hpp"
 #include "image/quantize.hpp"
 #include "image/readers.hpp"
 
@@ -20,35 +23,52 @@ namespace {
 /// libpng's messages, kept until somebody can report them.
 struct PngMessage {
   std::string text;
+  int error = 0;  ///< errno, of whichever thread it was
 };
 
 [[noreturn]] void on_error(png_structp png, png_const_charp message) {
-  static_cast<PngMessage*>(png_get_error_ptr(png))->text = message;
+  *static_cast<PngMessage*>(png_get_error_ptr(png)) = {message, errno};
   png_longjmp(png, 1);
 }
 void on_warning(png_structp, png_const_charp) {}
 
-/// Everything between setjmp and longjmp in a function that owns nothing with a destructor.
-bool write_rows(png_structp png, png_infop info, std::FILE* stream, const Image& image,
-                const RowQuantizer& quantizer, int bits, unsigned char* row) {
+/// Everything between setjmp and longjmp in functions that own nothing with a destructor.
+bool start_file(png_structp png, png_infop info, std::FILE* stream, const Image& image, int bits) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng's way
   png_init_io(png, stream);
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-  // Level 2 with the SUB filter is 4 times as fast as libpng's default and hardly larger.
-  png_set_compression_level(png, 2);
-  png_set_filter(png, 0, PNG_FILTER_SUB);
   png_set_IHDR(png, info, image.width, image.height, bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_write_info(png, info);
-  for (std::uint32_t y = 0; y < image.height; ++y) {
-    quantizer.row(image.row(y), std::size_t{3} * image.width, row);
-    png_write_row(png, row);
-  }
-  png_write_end(png, info);
   return true;
 }
 
-/// Empty where all went well, else libpng's words.
+bool write_chunk(png_structp png, const char* name, const unsigned char* bytes, std::size_t count) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng's way
+  png_write_chunk(png, reinterpret_cast<png_const_bytep>(name), bytes, count);
+  return true;
+}
+
+/// Rows as PNG stores them: the filter's number, then each byte less the one of the pixel to its
+/// left ("Sub").
+Rows filtered_rows(const Image& image, const RowQuantizer& quantizer, int bits) {
+  const std::size_t pixel = bits == 16 ? 6 : 3;
+  const auto make = [&image, &quantizer, pixel](std::uint32_t y, unsigned char* out) {
+    constexpr std::size_t kAtOnce = 512;
+    *out++ = PNG_FILTER_VALUE_SUB;
+    unsigned char stored[6 * (1 + kAtOnce)] = {};  // of which the first is the pixel before
+    for (std::size_t x = 0; x < image.width; x += kAtOnce) {
+      const std::size_t count = std::min(kAtOnce, image.width - x);
+      quantizer.row(image.row(y) + 3 * x, 3 * count, stored + pixel);
+      for (std::size_t i = 0; i < pixel * count; ++i)
+        *out++ = static_cast<unsigned char>(stored[pixel + i] - stored[i]);
+      std::memcpy(stored, stored + pixel * count, pixel);
+    }
+  };
+  return {image.height, 1 + pixel * image.width, make};
+}
+
+/// Empty where all went well, else the reason: that of the stream, where it has one, or libpng's.
 std::string write_to(std::FILE* stream, const Image& image, const PngOptions& options) {
   PngMessage message;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, on_error, on_warning);
@@ -57,11 +77,24 @@ std::string write_to(std::FILE* stream, const Image& image, const PngOptions& op
     png_destroy_write_struct(&png, nullptr);
     return "not enough memory";
   }
-  std::vector<unsigned char> row(std::size_t{3} * image.width * (options.bits == 16 ? 2 : 1));
+  // Level 2 with this filter is 4 times as fast as libpng's defaults and hardly larger.
+  constexpr int kLevel = 2;
   const RowQuantizer quantizer(options.transfer, options.bits);
-  const bool good = write_rows(png, info, stream, image, quantizer, options.bits, row.data());
+  const auto take = [png](const std::vector<unsigned char>& part) {
+    return write_chunk(png, "IDAT", part.data(), part.size());
+  };
+  bool good = false;
+  try {
+    const Rows rows = filtered_rows(image, quantizer, options.bits);
+    good = start_file(png, info, stream, image, options.bits) &&
+           deflate_rows(rows, kLevel, options.threads, take) &&
+           write_chunk(png, "IEND", nullptr, 0);
+  } catch (const std::bad_alloc&) {
+    message.text = "not enough memory";
+  }
   png_destroy_write_struct(&png, &info);
-  return good ? "" : message.text;
+  if (good) return "";
+  return std::ferror(stream) != 0 ? std::strerror(message.error) : message.text;
 }
 
 /// Where libpng reads from.
@@ -189,9 +222,7 @@ Result<void> write_png(const Image& image, const std::string& path, const PngOpt
   Result<NewFile> file = NewFile::create(path);
   if (!file) return tl::make_unexpected(file.error());
   const std::string problem = write_to(file->stream(), image, options);
-  // Where the disk is full, the stream knows the reason better than libpng.
-  if (!problem.empty() && std::ferror(file->stream()) == 0)
-    return failure(path, fmt::format("cannot be written: {}", problem));
+  if (!problem.empty()) return failure(file->name(), fmt::format("cannot be written: {}", problem));
   return file->commit();
 }
 
