@@ -7,7 +7,10 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <atomic>
 #include <new>
+
+#include "core/handover.hpp"
 
 namespace zraka {
 namespace {
@@ -114,31 +117,43 @@ bool deflate_rows(const Rows& rows, int level, int threads,
   };
   tbb::enumerable_thread_specific<Deflater> deflaters(level);
   tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
+  Handover jobs, pieces, parts;
   std::uint32_t next = 0;
-  bool going = true;
+  std::atomic<bool> going = true;
+  const auto next_job = [&](tbb::flow_control& control) {
+    jobs.take();
+    const std::uint32_t first = next;
+    if (!going || first == rows.count) {
+      control.stop();
+      return Job{};
+    }
+    next += std::min(rows.count - first, together);
+    Job job{first, next, {}};
+    jobs.give();
+    return job;
+  };
+  const auto do_job = [&](Job job) {
+    jobs.take();
+    job.piece = deflaters.local().deflate(rows, job.first, job.end);
+    pieces.give();
+    return job;
+  };
+  const auto hand_over = [&](Job job) {
+    pieces.take();
+    parts.take();
+    if (going) going = stream.add(std::move(job.piece), job.end == rows.count);
+    parts.give();
+  };
+  jobs.give();
   arena.execute([&] {
-    const auto most = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-    tbb::parallel_pipeline(
-        2 * most, tbb::make_filter<void, Job>(tbb::filter_mode::serial_in_order,
-                                              [&](tbb::flow_control& control) {
-                                                if (!going || next == rows.count) {
-                                                  control.stop();
-                                                  return Job{};
-                                                }
-                                                const std::uint32_t first = next;
-                                                next += std::min(rows.count - first, together);
-                                                return Job{first, next, {}};
-                                              }) &
-                      tbb::make_filter<Job, Job>(tbb::filter_mode::parallel,
-                                                 [&](Job job) {
-                                                   job.piece = deflaters.local().deflate(
-                                                       rows, job.first, job.end);
-                                                   return job;
-                                                 }) &
-                      tbb::make_filter<Job, void>(tbb::filter_mode::serial_in_order, [&](Job job) {
-                        if (going) going = stream.add(std::move(job.piece), job.end == rows.count);
-                      }));
+    using tbb::filter_mode, tbb::make_filter;
+    const int most = tbb::this_task_arena::max_concurrency();
+    tbb::parallel_pipeline(2 * static_cast<std::size_t>(most),
+                           make_filter<void, Job>(filter_mode::serial_in_order, next_job) &
+                               make_filter<Job, Job>(filter_mode::parallel, do_job) &
+                               make_filter<Job, void>(filter_mode::serial_in_order, hand_over));
   });
+  parts.take();
   return going;
 }
 

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// A frozen scene and its hierarchy: the boxes that it is built from, and the order that it gives.
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "core/in_parallel.hpp"
+#include "scene/freeze.hpp"
+#include "scene/narrow.hpp"
+
+namespace zraka {
+
+template <class R>
+std::vector<std::int32_t> kind_starts_of(const FrozenScene<R>& scene) {
+  std::vector<std::int32_t> starts;
+  std::int32_t end = 0;
+  const auto add = [&](const auto& shapes) {
+    starts.push_back(shapes.first_slot);
+    end = shapes.first_slot + shapes.count;
+  };
+#define ZRAKA_ADD(Type, plural) add(scene.plural);
+  ZRAKA_KINDS(ZRAKA_ADD)
+#undef ZRAKA_ADD
+  starts.push_back(end);
+  return starts;
+}
+
+template <class R>
+void refer_to(const FrozenScene<R>& scene, BuildRef* refs) {
+  // Intersections err by a few units in the last place of the numbers that they are made of:
+  // coordinates in the scene, at most 1 in this frame, and the eye's. A third of the margin is
+  // theirs (hit_margin()), the rest is more than rounding in the test of a box takes. It is less
+  // than what feelers from a large flat shape start off its surface, so that they leave its box at
+  // once.
+  const V3<R>& eye = scene.camera.eye;
+  const double margin =
+      0x3p-22 *
+      (1 + static_cast<double>(std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)})));
+  const auto refer = [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
+    using Traits = ShapeTraits<Shape>;
+    in_parallel(static_cast<std::size_t>(shapes.count), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        double numbers[Traits::kHitReals];
+        for (int k = 0; k < Traits::kHitReals; ++k)
+          numbers[k] = static_cast<double>(shapes.column[k][i]);
+        const Box box = Traits::frozen_bounds(numbers);
+        const std::int32_t slot = shapes.first_slot + static_cast<std::int32_t>(i);
+        refs[slot] = {{narrow<float>(box.lower.x - margin), narrow<float>(box.lower.y - margin),
+                       narrow<float>(box.lower.z - margin)},
+                      {narrow<float>(box.upper.x + margin), narrow<float>(box.upper.y + margin),
+                       narrow<float>(box.upper.z + margin)},
+                      slot};
+      }
+    });
+  };
+#define ZRAKA_REFER(Type, plural) refer(scene.plural);
+  ZRAKA_KINDS(ZRAKA_REFER)
+#undef ZRAKA_REFER
+}
+
+namespace {
+
+/// From here on rows take longer to make than they save; where all shapes are of one kind, leaves
+/// are full and make no pairs.
+constexpr std::size_t kTooManyForRows = std::size_t{1} << 16;
+
+/// What FrozenShapes::rows says, for all kinds.
+template <class R>
+void add_rows(FrozenStore<R>& store) {
+  FrozenScene<R>& scene = store.scene;
+  std::int32_t reals = 0;
+#define ZRAKA_COUNT(Type, plural) reals += scene.plural.count * scene.plural.kRowReals;
+  ZRAKA_KINDS(ZRAKA_COUNT)
+#undef ZRAKA_COUNT
+  store.rows.resize(static_cast<std::size_t>(reals));
+  R* row = store.rows.data();
+  const auto add = [&]<class Shape>(FrozenShapes<R, Shape>& shapes) {
+    shapes.rows = row;
+    for (std::int32_t i = 0; i < shapes.count; ++i, row += shapes.kRowReals)
+      for (int k = 0; k < ShapeTraits<Shape>::kHitReals; ++k) row[k] = shapes.column[k][i];
+  };
+#define ZRAKA_ADD(Type, plural) add(scene.plural);
+  ZRAKA_KINDS(ZRAKA_ADD)
+#undef ZRAKA_ADD
+}
+
+}  // namespace
+
+template <class R>
+void finish(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
+  FrozenScene<R>& scene = store.scene;
+  scene.hierarchy = {hierarchy.nodes.empty() ? nullptr : hierarchy.nodes.data(),
+                     static_cast<std::int32_t>(hierarchy.nodes.size()),
+                     hierarchy.place.empty() ? nullptr : hierarchy.place.data()};
+  store.ids.resize(store.materials.size());
+  std::int32_t* id = store.ids.data();
+  const auto finish_shapes = [&]<class Shape>(FrozenShapes<R, Shape>& shapes) {
+    const auto count = static_cast<std::size_t>(shapes.count);
+    const std::int32_t* order =
+        hierarchy.order.empty() ? nullptr : hierarchy.order.data() + shapes.first_slot;
+    shapes.id = id;
+    const std::int32_t to_id = shapes.first_id - shapes.first_slot;
+    in_parallel(count, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        id[i] =
+            order == nullptr ? shapes.first_id + static_cast<std::int32_t>(i) : order[i] + to_id;
+    });
+    id += count + kColumnPadding;
+    if (order == nullptr) return;
+    const auto reorder = [&]<class T>(const T* column, std::vector<T>& memory) {
+      const std::vector<T> before(column, column + count);
+      T* after = memory.data() + (column - memory.data());
+      in_parallel(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          after[i] = before[static_cast<std::size_t>(order[i] - shapes.first_slot)];
+      });
+    };
+    for (const R* column : shapes.column) reorder(column, store.reals);
+    reorder(shapes.material, store.materials);
+  };
+#define ZRAKA_FINISH(Type, plural) finish_shapes(scene.plural);
+  ZRAKA_KINDS(ZRAKA_FINISH)
+#undef ZRAKA_FINISH
+  if (std::is_same_v<R, float> && !hierarchy.order.empty() &&
+      hierarchy.order.size() < kTooManyForRows)
+    add_rows(store);
+}
+
+template std::vector<std::int32_t> kind_starts_of(const FrozenScene<float>&);
+template std::vector<std::int32_t> kind_starts_of(const FrozenScene<double>&);
+template void refer_to(const FrozenScene<float>&, BuildRef*);
+template void refer_to(const FrozenScene<double>&, BuildRef*);
+template void finish(FrozenStore<float>&, const BuiltHierarchy&);
+template void finish(FrozenStore<double>&, const BuiltHierarchy&);
+
+}  // namespace zraka
