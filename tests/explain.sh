@@ -33,7 +33,7 @@ expect 1 "does its folder exist?" "$zraka" explain $scene 1 1 -o "$folder/no/pix
 grep -q $'\x1b' "$folder/text" && fail "colours in a pipe"
 [ "$("$zraka" explain $scene 180 290 --lang hr | tail -n 1)" = "Tamno jer zraka za ispitivanje sjene prema svjetlu 1 pogađa kuglu 3 'staklo' na t = 0.396; ostaje samo ambijentna komponenta." ] ||
   fail "the last line in Croatian"
-if command -v script >/dev/null; then
+if script -qec true /dev/null </dev/null >/dev/null 2>&1; then  # needs pseudo-terminals
   on_terminal() { TERM=xterm script -qec "$*" /dev/null </dev/null; }
   on_terminal "$zraka" explain $scene 180 290 | grep -q $'\x1b' || fail "no colours on a terminal"
   on_terminal env NO_COLOR=1 "$zraka" explain $scene 180 290 | grep -q $'\x1b' && fail "colours in spite of NO_COLOR"

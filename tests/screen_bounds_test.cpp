@@ -13,6 +13,7 @@
 #include <vector>
 #include <zraka/formats.hpp>
 
+#include "render/corners.hpp"
 #include "render/isa.hpp"
 #include "render/prepare.hpp"
 #include "render/workspace.hpp"

@@ -8,6 +8,7 @@
 
 #include "explain/recording.hpp"
 #include "explain/tile_listeners.hpp"
+#include "render/corners.hpp"
 #include "render/isa.hpp"
 #include "render/mistake.hpp"
 #include "render/prepare.hpp"

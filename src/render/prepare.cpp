@@ -78,20 +78,4 @@ template PreparedScene<double> prepare<double>(const Scene&, const Profile&);
 template PreparedScene<float> prepare<float>(Scene&&, const Profile&);
 template PreparedScene<double> prepare<double>(Scene&&, const Profile&);
 
-Image means_of_corners(Image corners) {
-  const std::uint32_t width = corners.width - 1, height = corners.height - 1;
-  std::vector<float> means(std::size_t{3} * width);
-  float* out = corners.pixels.data();  // never beyond the corners that are still to be read
-  for (std::uint32_t y = 0; y < height; ++y) {
-    const float *above = corners.row(y), *below = corners.row(y + 1);
-    for (std::size_t i = 0; i < means.size(); ++i)
-      means[i] = mean_of_corners(above[i], above[i + 3], below[i], below[i + 3]);
-    out = std::copy(means.begin(), means.end(), out);
-  }
-  corners.width = width;
-  corners.height = height;
-  corners.pixels.resize(std::size_t{3} * width * height);
-  return corners;
-}
-
 }  // namespace zraka

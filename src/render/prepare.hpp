@@ -31,13 +31,4 @@ PreparedScene<R> prepare(const Scene& scene, const Profile& profile);
 template <class R>
 PreparedScene<R> prepare(Scene&& scene, const Profile& profile);
 
-/// A pixel of the spd profile from its four corners.
-inline float mean_of_corners(float upper_left, float upper_right, float lower_left,
-                             float lower_right) {
-  return ((upper_left + upper_right) + (lower_left + lower_right)) * 0.25f;
-}
-
-/// Pixels of one column and one row less, each the mean of the four around it; in the same memory.
-Image means_of_corners(Image corners);
-
 }  // namespace zraka

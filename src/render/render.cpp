@@ -12,6 +12,7 @@
 #include <vector>
 #include <zraka/render.hpp>
 
+#include "render/corners.hpp"
 #include "render/isa.hpp"
 #include "render/mistake.hpp"
 #include "render/prepare.hpp"
@@ -79,8 +80,9 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
       for (int i = 0; i < tile; ++i)
         background.insert(background.end(), {color.x, color.y, color.z});
     }
-  tbb::enumerable_thread_specific<Worker<R>> workers(
-      [&] { return Worker<R>{WorkspaceMemory<R>(tile * tile, settings.max_depth), {}}; });
+  tbb::enumerable_thread_specific<Worker<R>> workers([&] {
+    return Worker<R>{WorkspaceMemory<R>(tile * tile, settings.max_depth), {}};
+  });
   std::atomic<std::uint64_t> pixels_done{0}, rays_done{0};
   const auto render_tile = [&](const TileRect& rect) {
     Worker<R>& worker = workers.local();
