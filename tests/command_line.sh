@@ -48,6 +48,8 @@ for isa in $("$zraka" --version | sed -n 's/^this machine has://p'); do
 done
 expect 0 '"camera": 100,' "$zraka" render "$scene" -o "$folder/b.png" --width 010 --stats=json  # not octal
 expect 0 '"isa": "portable"' "$zraka" render "$scene" -o "$folder/b.png" --isa portable --stats=json
+words=$("$zraka" render "$scene" -o "$folder/b.png" --width 500 --threads 8 2>&1) || fail "8 threads"
+[ -z "$words" ] || fail "8 threads say: $words"
 for key in load build render write camera shadow reflected refracted hits scene accel threads isa sha256; do
   grep -q "\"$key\"" "$folder/words" || fail "--stats=json has no $key"
 done

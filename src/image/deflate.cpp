@@ -2,6 +2,7 @@
 #include "image/deflate.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 #include <zlib.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <new>
+#include <optional>
 
 #include "core/handover.hpp"
 
@@ -116,6 +118,9 @@ bool deflate_rows(const Rows& rows, int level, int threads,
     Piece piece;
   };
   tbb::enumerable_thread_specific<Deflater> deflaters(level);
+  std::optional<tbb::global_control> limit;
+  if (threads != 0)
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
   Handover jobs, pieces, parts;
   std::uint32_t next = 0;

@@ -12,6 +12,7 @@
 #include <vector>
 #include <zraka/render.hpp>
 
+#include "core/spread.hpp"
 #include "render/corners.hpp"
 #include "render/isa.hpp"
 #include "render/mistake.hpp"
@@ -22,6 +23,9 @@
 
 namespace zraka {
 namespace {
+
+/// So many shapes are worth waiting for all threads before a hierarchy is built of them.
+constexpr std::uint64_t kManyShapes = 4096;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -114,6 +118,7 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
                        int tile, int threads, Rendering& rendering) {
   const auto start = std::chrono::steady_clock::now();
   const Resolution resolution = scene.resolution;
+  if (scene.shape_count() >= kManyShapes) spread_workers(threads);
   const PreparedScene<R> prepared = prepare<R>(std::forward<SceneRef>(scene), options.profile);
   rendering.stats.build_seconds = seconds_since(start);
   rendering.stats.scene_bytes = prepared.store->bytes();

@@ -5,16 +5,13 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
-#include <condition_variable>
 #include <cstdint>
-#include <mutex>
 
 #include "core/handover.hpp"
+#include "core/spread.hpp"
 #include "engine/engine.hpp"
 
 namespace zraka {
@@ -29,26 +26,6 @@ inline int chosen_tile(std::uint32_t width, std::uint32_t height, int threads) {
   constexpr int kLarge = 48, kSmall = 32;
   const std::uint64_t tiles = std::uint64_t{width} * height / (kLarge * kLarge);
   return tiles >= kTilesPerThread * static_cast<std::uint64_t>(threads) ? kLarge : kSmall;
-}
-
-/// Waits until a worker has come into this arena, but not for long: all may be at work elsewhere.
-/// Some kernels leave a thread that starts or wakes on the processor of the one that woke it until
-/// that one waits; if it works instead, the other comes milliseconds late.
-inline void wait_for_a_worker() {
-  std::mutex mutex;
-  std::condition_variable changed;
-  bool there = false;
-  tbb::task_group group;
-  group.run([&] {
-    const std::lock_guard<std::mutex> lock(mutex);
-    there = true;
-    changed.notify_one();
-  });
-  {
-    std::unique_lock<std::mutex> lock(mutex);
-    changed.wait_for(lock, std::chrono::microseconds(300), [&] { return there; });
-  }
-  group.wait();
 }
 
 /// Calls work(tile) for each tile of a picture, on so many threads of oneTBB. False if `cancel` was
@@ -78,7 +55,7 @@ bool each_tile(std::uint32_t picture_width, std::uint32_t picture_height, int ti
   arena.execute([&] {
     if (threads > 1 && static_cast<std::uint64_t>(columns * rows) >=
                            kTilesPerThread * static_cast<std::uint64_t>(threads))
-      wait_for_a_worker();
+      spread_workers(threads);
     tbb::parallel_for(
         tbb::blocked_range<std::int32_t>(0, columns * rows),
         [&](const tbb::blocked_range<std::int32_t>& range) {

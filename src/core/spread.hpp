@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// oneTBB's threads at the start of what they do together.
+#pragma once
+
+namespace zraka {
+
+/// Waits until threads - 1 workers have come into this thread's arena, but not for long: they may
+/// be at work elsewhere. Where there are as many threads as processors, each begins on one of its
+/// own; all may run wherever they might before.
+///
+/// Some kernels start or wake a thread on the processor of the one that asks for it, or gather
+/// threads on few processors, and take milliseconds to notice that another one is idle: longer than
+/// a small picture takes.
+void spread_workers(int threads);
+
+}  // namespace zraka
