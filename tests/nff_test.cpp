@@ -241,6 +241,38 @@ TEST(Polygon, IsCoveredByItsTriangles) {
   EXPECT_EQ(triangulate(gear).size(), 142u);
 }
 
+TEST(Polygon, IsHalvedWhereItIsRound) {
+  std::vector<Vec3> round;
+  for (int i = 0; i < 64; ++i)
+    round.push_back({std::cos(2 * M_PI * i / 64), std::sin(2 * M_PI * i / 64), 0});
+  const auto length = [&](std::uint32_t a, std::uint32_t b) {
+    return std::hypot(round[a].x - round[b].x, round[a].y - round[b].y);
+  };
+  double cuts = -2 * 64 * std::sin(M_PI / 64);  // the polygon's own edges
+  for (const auto& [a, b, c] : triangulate(round))
+    cuts += length(a, b) + length(b, c) + length(c, a);
+  // 32 cuts over two edges, 16 over four, …, the last through the middle; both triangles count
+  // them.
+  double want = 0;
+  for (int over = 2; over <= 32; over *= 2)
+    want += 2 * (over == 32 ? 1 : 64 / over) * 2 * std::sin(M_PI * over / 64);
+  EXPECT_LT(cuts, 1.1 * want);  // rounding decides between equal cuts; a fan has 3 times as much
+}
+
+TEST(Polygon, WithAHoleOnABridgeIsCovered) {
+  EXPECT_DOUBLE_EQ(area({{0, 0, 0},
+                         {4, 0, 0},
+                         {4, 4, 0},
+                         {0, 4, 0},
+                         {0, 0, 0},
+                         {1, 1, 0},
+                         {1, 3, 0},
+                         {3, 3, 0},
+                         {3, 1, 0},
+                         {1, 1, 0}}),
+                   12);
+}
+
 TEST(Polygon, FacesAnyWay) {
   const std::vector<Vec3> notch = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}};
   std::vector<Vec3> turned, mirrored;

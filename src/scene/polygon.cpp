@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/polygon.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <queue>
 
 namespace zraka {
 namespace {
@@ -39,49 +43,112 @@ std::vector<Point> flattened(const std::vector<Vec3>& corners) {
   return flat;
 }
 
+double squared_distance(const Vec3& a, const Vec3& b) {
+  const Vec3 d{a.x - b.x, a.y - b.y, a.z - b.z};
+  return d.x * d.x + d.y * d.y + d.z * d.z;
+}
+
+/// Cuts ears off a polygon (Meisters 1975): corners that turn left and have no other corner in
+/// their triangle. Of these the one comes first whose cut is shortest: what is round is halved
+/// again and again, where corners taken as they come would make a fan of triangles that reach all
+/// over it, and be met by every ray that comes near.
+class EarCutter {
+ public:
+  explicit EarCutter(const std::vector<Vec3>& corners)
+      : corners_(corners), flat_(flattened(corners)), links_(corners.size()) {
+    const auto n = static_cast<std::uint32_t>(corners.size());
+    for (std::uint32_t i = 0; i < n; ++i) links_[i] = {(i + n - 1) % n, (i + 1) % n};
+  }
+
+  std::vector<std::array<std::uint32_t, 3>> cut() {
+    std::size_t left = corners_.size();
+    for (std::uint32_t i = 0; i < left; ++i)
+      if (turns_right(i)) right_.push_back(i);
+    for (std::uint32_t i = 0; i < left; ++i) look_at(i);
+    std::uint32_t last = 0;
+    for (; left > 3; --left) {
+      // Corners that lie on a line, and polygons that cross themselves, may leave no ears: then a
+      // corner goes without one.
+      std::uint32_t corner = links_[last].after;
+      if (const auto ear = next_ear()) {
+        corner = *ear;
+        triangles_.push_back({links_[corner].before, corner, links_[corner].after});
+      }
+      last = links_[corner].before;
+      const std::uint32_t after = links_[corner].after;
+      links_[last].after = after;
+      links_[after].before = last;
+      links_[corner].there = false;
+      std::erase_if(right_, [&](std::uint32_t i) {
+        return i == corner || ((i == last || i == after) && !turns_right(i));
+      });
+      look_at(last);
+      look_at(after);
+    }
+    std::array<std::uint32_t, 3> rest = {links_[last].before, last, links_[last].after};
+    std::rotate(rest.begin(), std::min_element(rest.begin(), rest.end()), rest.end());
+    triangles_.push_back(rest);
+    return triangles_;
+  }
+
+ private:
+  struct Link {
+    std::uint32_t before, after;
+    std::uint32_t looks = 0;  ///< what was found before the last of them counts no more
+    bool there = true;
+  };
+  struct Ear {
+    double length;
+    std::uint32_t corner, look;
+    bool operator>(const Ear& other) const {
+      return length != other.length ? length > other.length : corner > other.corner;
+    }
+  };
+
+  bool turns_right(std::uint32_t i) const {
+    return turn(flat_[links_[i].before], flat_[i], flat_[links_[i].after]) < 0;
+  }
+
+  bool is_ear(std::uint32_t corner) const {
+    const Link& link = links_[corner];
+    const Point &a = flat_[link.before], &b = flat_[corner], &c = flat_[link.after];
+    if (!(turn(a, b, c) > 0)) return false;
+    // Only corners that turn right can be in the way, and there are none in a convex polygon.
+    return std::none_of(right_.begin(), right_.end(), [&](std::uint32_t i) {
+      return i != link.before && i != link.after && inside(flat_[i], a, b, c);
+    });
+  }
+
+  void look_at(std::uint32_t corner) {
+    Link& link = links_[corner];
+    ++link.looks;
+    if (is_ear(corner))
+      ears_.push(
+          {squared_distance(corners_[link.before], corners_[link.after]), corner, link.looks});
+  }
+
+  std::optional<std::uint32_t> next_ear() {
+    while (!ears_.empty()) {
+      const Ear ear = ears_.top();
+      ears_.pop();
+      if (links_[ear.corner].there && links_[ear.corner].looks == ear.look) return ear.corner;
+    }
+    return {};
+  }
+
+  const std::vector<Vec3>& corners_;
+  std::vector<Point> flat_;
+  std::vector<Link> links_;
+  std::vector<std::uint32_t> right_;  ///< corners that turn right
+  std::priority_queue<Ear, std::vector<Ear>, std::greater<>> ears_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+};
+
 }  // namespace
 
 std::vector<std::array<std::uint32_t, 3>> triangulate(const std::vector<Vec3>& corners) {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  if (corners.size() < 3) return triangles;
-  const std::vector<Point> flat = flattened(corners);
-  std::vector<std::uint32_t> left(corners.size());
-  for (std::uint32_t i = 0; i < left.size(); ++i) left[i] = i;
-
-  // Ears are cut off one by one (Meisters 1975): corners that turn left and have no other corner in
-  // their triangle. Only corners that turn right can be in the way, and there are none in a convex
-  // polygon.
-  // A polygon that crosses itself may have no ears; then looking for one at every corner again and
-  // again must end.
-  std::size_t looks = 0;
-  const std::size_t most_looks = 8 * corners.size() * corners.size() + 1000;
-  std::size_t at = 0, tried = 0;
-  while (left.size() > 3) {
-    const std::size_t n = left.size();
-    const std::size_t before = (at + n - 1) % n, after = (at + 1) % n;
-    const Point &a = flat[left[before]], &b = flat[left[at]], &c = flat[left[after]];
-    bool ear = turn(a, b, c) > 0;
-    for (std::size_t i = 0; ear && i < n; ++i) {
-      ++looks;
-      if (i == before || i == at || i == after) continue;
-      const Point& p = flat[left[i]];
-      if (turn(flat[left[(i + n - 1) % n]], p, flat[left[(i + 1) % n]]) < 0 && inside(p, a, b, c))
-        ear = false;
-    }
-    if (!ear && tried < n && looks < most_looks) {
-      ++tried;
-      at = after;
-      continue;
-    }
-    if (ear)
-      triangles.push_back(
-          {left[before], left[at], left[after]});  // else a corner on a line is dropped
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
-    at = at < left.size() ? at : 0;
-    tried = 0;
-  }
-  triangles.push_back({left[0], left[1], left[2]});
-  return triangles;
+  if (corners.size() < 3) return {};
+  return EarCutter(corners).cut();
 }
 
 }  // namespace zraka
