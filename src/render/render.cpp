@@ -140,6 +140,10 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
 
 template <class SceneRef>
 Result<Rendering> render_right_or_wrong(SceneRef&& scene, const RenderOptions& options) {
+  const int threads = options.threads == 0 ? tbb::info::default_concurrency()
+                                           : std::clamp(options.threads, 1, kMaxThreads);
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                            static_cast<std::size_t>(threads));
   Diagnostics problems = check_request(scene, options);
   if (!problems.empty()) return tl::make_unexpected(std::move(problems));
   const Result<Isa> isa = choose_isa(options.isa);
@@ -147,13 +151,10 @@ Result<Rendering> render_right_or_wrong(SceneRef&& scene, const RenderOptions& o
   if (*isa == Isa::oracle && options.mistake != Mistake::none)
     return failure("", "the oracle makes no mistakes", "ask for avx512, avx2 or portable");
 
-  const int threads = options.threads == 0 ? tbb::info::default_concurrency() : options.threads;
   const Resolution resolution = scene.resolution;
   const int tile =
       options.tile == 0 ? chosen_tile(resolution.width, resolution.height, threads) : options.tile;
   const std::uint64_t shapes = scene.shape_count();
-  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                            static_cast<std::size_t>(threads));
   Rendering rendering;
   try {
     rendering.stats.isa = *isa;

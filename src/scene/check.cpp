@@ -2,10 +2,12 @@
 // What can be wrong with a scene that a program has put together.
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <zraka/render.hpp>
 
+#include "core/in_parallel.hpp"
 #include "shapes/shapes.hpp"
 
 namespace zraka {
@@ -29,20 +31,33 @@ bool finite_material(const Material& m) {
 }
 
 template <class Shape>
+bool within_reach(const Shape& shape) {
+  const Box box = ShapeTraits<Shape>::bounds(shape);
+  for (const double side :
+       {box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z})
+    if (!(std::fabs(side) <= kFarthest)) return false;
+  return true;
+}
+
+template <class Shape>
 void check_objects(const Scene& scene, const std::vector<Object<Shape>>& objects,
                    const auto& complain) {
   using Traits = ShapeTraits<Shape>;
+  // Mostly nothing is wrong, which is soon known; what is said otherwise must come in order.
+  std::atomic<bool> good = true;
+  in_parallel(objects.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (Traits::check(objects[i].shape) != nullptr || !within_reach(objects[i].shape) ||
+          objects[i].material >= scene.materials.size())
+        good = false;
+  });
+  if (good) return;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (const char* problem = Traits::check(objects[i].shape))
       complain(fmt::format("{} {}: {}", Traits::kName, i + 1, problem));
-    const Box box = Traits::bounds(objects[i].shape);
-    for (const double side :
-         {box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z})
-      if (!(std::fabs(side) <= kFarthest)) {
-        complain(fmt::format("{} {}: it reaches farther than {} from the origin", Traits::kName,
-                             i + 1, kFarthest));
-        break;
-      }
+    if (!within_reach(objects[i].shape))
+      complain(fmt::format("{} {}: it reaches farther than {} from the origin", Traits::kName,
+                           i + 1, kFarthest));
     if (objects[i].material >= scene.materials.size())
       complain(fmt::format("{} {}: it has material {}, but there are {}", Traits::kName, i + 1,
                            objects[i].material, scene.materials.size()));

@@ -80,26 +80,37 @@ void each_sample(const Scene& scene, const Function& function) {
 #undef ZRAKA_LOOK
 }
 
+/// What `more` makes of all objects, from `none` on; `join` puts two parts' results together.
+template <class T, class Shape, class More, class Join>
+T reduced(const std::vector<Object<Shape>>& objects, const T& none, const More& more,
+          const Join& join) {
+  using Iterator = typename std::vector<Object<Shape>>::const_iterator;
+  Handover handover;
+  handover.give();
+  const T all = tbb::parallel_reduce(
+      tbb::blocked_range<Iterator>(objects.begin(), objects.end(), 65536), none,
+      [&](const tbb::blocked_range<Iterator>& part, T sum) {
+        handover.take();
+        for (const Object<Shape>& object : part) more(sum, object.shape);
+        handover.give();
+        return sum;
+      },
+      join);
+  handover.take();
+  return all;
+}
+
 Box bounds_of(const Scene& scene) {
   Box bounds;
+  const auto join = [](Box a, const Box& b) {
+    a.include(b);
+    return a;
+  };
   const auto include = [&]<class Shape>(const std::vector<Object<Shape>>& objects) {
-    using Iterator = typename std::vector<Object<Shape>>::const_iterator;
-    Handover handover;
-    handover.give();
-    bounds.include(tbb::parallel_reduce(
-        tbb::blocked_range<Iterator>(objects.begin(), objects.end(), 65536), Box(),
-        [&](const tbb::blocked_range<Iterator>& part, Box sum) {
-          handover.take();
-          for (const Object<Shape>& object : part)
-            sum.include(ShapeTraits<Shape>::bounds(object.shape));
-          handover.give();
-          return sum;
-        },
-        [](Box a, const Box& b) {
-          a.include(b);
-          return a;
-        }));
-    handover.take();
+    const auto more = [](Box& sum, const Shape& shape) {
+      sum.include(ShapeTraits<Shape>::bounds(shape));
+    };
+    bounds.include(reduced(objects, Box(), more, join));
   };
 #define ZRAKA_INCLUDE(Type, plural) include(scene.plural);
   ZRAKA_SHAPES(ZRAKA_INCLUDE)
@@ -150,9 +161,9 @@ std::int32_t first_id_of(const Scene& scene) {
 
 /// Is there a sphere so large beside most shapes that they need their digits where it passes them?
 bool has_ground_sphere(const Scene& scene, const Frame& frame) {
-  double largest = 0;
-  for (const Object<Sphere>& object : scene.spheres)
-    largest = std::max(largest, frame.length(object.shape.radius));
+  const double largest = frame.length(reduced(
+      scene.spheres, 0.0, [](double& most, const Sphere& s) { most = std::max(most, s.radius); },
+      [](double a, double b) { return std::max(a, b); }));
   std::vector<double> reaches;
   each_sample(scene, [&](const Box& box) {
     const Vec3 lower = frame.point(box.lower), upper = frame.point(box.upper);
