@@ -2,6 +2,8 @@
 // A frozen scene and its hierarchy: the boxes that it is built from, and the order that it gives.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <memory>
 #include <type_traits>
 
 #include "core/in_parallel.hpp"
@@ -107,9 +109,16 @@ void finish(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
     });
     id += count + kColumnPadding;
     if (order == nullptr) return;
+    // One array for what stood there before, column after column: to touch new memory for the first
+    // time takes longer than to copy into it.
+    const auto memory_before =
+        std::make_unique_for_overwrite<std::byte[]>(count * std::max(sizeof(R), sizeof(*id)));
     const auto reorder = [&]<class T>(const T* column, std::vector<T>& memory) {
-      const std::vector<T> before(column, column + count);
-      T* after = memory.data() + (column - memory.data());
+      auto* const before = reinterpret_cast<T*>(memory_before.get());
+      T* const after = memory.data() + (column - memory.data());
+      in_parallel(count, [&](std::size_t begin, std::size_t end) {
+        std::copy(column + begin, column + end, before + begin);
+      });
       in_parallel(count, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
           after[i] = before[static_cast<std::size_t>(order[i] - shapes.first_slot)];
