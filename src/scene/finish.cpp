@@ -79,7 +79,8 @@ void add_rows(FrozenStore<R>& store) {
   const auto add = [&]<class Shape>(FrozenShapes<R, Shape>& shapes) {
     shapes.rows = row;
     for (std::int32_t i = 0; i < shapes.count; ++i, row += shapes.kRowReals)
-      for (int k = 0; k < ShapeTraits<Shape>::kHitReals; ++k) row[k] = shapes.column[k][i];
+      for (int k = 0; k < shapes.kRowReals; ++k)
+        row[k] = k < ShapeTraits<Shape>::kHitReals ? shapes.column[k][i] : R(0);
   };
 #define ZRAKA_ADD(Type, plural) add(scene.plural);
   ZRAKA_KINDS(ZRAKA_ADD)
@@ -107,13 +108,14 @@ void finish(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
         id[i] =
             order == nullptr ? shapes.first_id + static_cast<std::int32_t>(i) : order[i] + to_id;
     });
+    std::fill_n(id + count, kColumnPadding, 0);
     id += count + kColumnPadding;
     if (order == nullptr) return;
     // One array for what stood there before, column after column: to touch new memory for the first
     // time takes longer than to copy into it.
     const auto memory_before =
         std::make_unique_for_overwrite<std::byte[]>(count * std::max(sizeof(R), sizeof(*id)));
-    const auto reorder = [&]<class T>(const T* column, std::vector<T>& memory) {
+    const auto reorder = [&]<class T>(const T* column, UnsetVector<T>& memory) {
       auto* const before = reinterpret_cast<T*>(memory_before.get());
       T* const after = memory.data() + (column - memory.data());
       in_parallel(count, [&](std::size_t begin, std::size_t end) {

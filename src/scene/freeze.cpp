@@ -64,6 +64,7 @@ void freeze_material(const Material& m, const Profile& profile, R* row) {
   const double into = profile.index_is_ratio ? m.refractive : 1 / m.refractive;
   row[kRatioIn] = narrow<R>(into);
   row[kRatioOut] = narrow<R>(1 / into);
+  std::fill(row + kRatioOut + 1, row + kMaterialReals, R(0));
 }
 
 /// Calls function(box) for some shapes, evenly over all.
@@ -238,8 +239,12 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
     using Traits = ShapeTraits<Shape>;
     const std::size_t room = objects.size() + kColumnPadding;
     R* column[Traits::kReals];
-    for (int k = 0; k < Traits::kReals; ++k, real += room) out.column[k] = column[k] = real;
+    for (int k = 0; k < Traits::kReals; ++k, real += room) {
+      out.column[k] = column[k] = real;
+      std::fill_n(real + objects.size(), kColumnPadding, R(0));
+    }
     out.material = material;
+    std::fill_n(material + objects.size(), kColumnPadding, 0);
     out.count = static_cast<std::int32_t>(objects.size());
     out.first_slot = first_slot;
     out.first_id = first_id_of<Shape>(scene);

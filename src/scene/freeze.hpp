@@ -6,6 +6,7 @@
 #include <zraka/render.hpp>
 #include <zraka/scene.hpp>
 
+#include "core/unset_vector.hpp"
 #include "math/frame.hpp"
 #include "scene/frozen.hpp"
 
@@ -15,8 +16,8 @@ namespace zraka {
 template <class R>
 struct FrozenStore {
   FrozenScene<R> scene{};
-  std::vector<R> reals, rows;
-  std::vector<std::int32_t> materials, ids;
+  UnsetVector<R> reals, rows;
+  UnsetVector<std::int32_t> materials, ids;
   std::vector<FrozenLight<R>> lights;
   std::uint64_t bytes() const;
 };
