@@ -75,12 +75,17 @@ printf '0,0,2:2:1000000000:0,2,-2:0' >"$folder/large.txt"
 bad "expected 11585 at most" "$folder/large.txt"
 bad "too large: at most 134217728 pixels fit" "$scene" --width 1000000
 if [ "$(id -u)" != 0 ]; then
+  "$zraka" generate sphereflake --size 2 -o "$folder/flake.nff"
+  exactly 0 "" bash -c "ulimit -u 1; exec '$zraka' render '$folder/flake.nff' -o '$folder/b.png' --threads 1"
+  expect 1 "the system starts no more threads for this user" \
+    bash -c "ulimit -u 1; exec '$zraka' render '$folder/flake.nff' -o '$folder/b.png' --threads 2"
   cp "$scene" "$folder/secret.txt" && chmod 000 "$folder/secret.txt"
   bad "cannot be read: Permission denied" "$folder/secret.txt"
 fi
 expect 1 "the file is empty" "$zraka" info "$folder/empty.txt"
 
 # Output that cannot be written: exit code 1, the old file as it was.
+expect 2 "is not the name of a PNG" "$zraka" render "$scene" -o "$folder/a.nff"
 expect 1 "does its folder exist?" "$zraka" render "$scene" -o "$folder/no/a.png"
 expect 1 "it is a folder" "$zraka" render "$scene" -o "$folder"
 expect 1 "/dev/full: error: cannot be written: No space left on device" "$zraka" render "$scene" -o /dev/full

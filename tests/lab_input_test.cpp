@@ -250,6 +250,9 @@ TEST(LabInput, KnowsWhatIsNoTextAtAll) {
                                4)),
             "f.txt: error: the file is not text: byte 4 is 0x00\n"
             "  it looks like UTF-16: save it as UTF-8\n");
+  EXPECT_EQ(answer("\x1F\x8B\x08\n"),
+            "f.txt: error: the file is not text: byte 1 is 0x1f\n"
+            "  it looks like a file packed by gzip: unpack it first\n");
   EXPECT_EQ(answer("  \n <only a label> \n"),
             "f.txt:3:1: error: the file ends: expected x of the eye\n"
             "  \n"

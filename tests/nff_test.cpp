@@ -17,6 +17,8 @@ const std::string kView =
     "b 0.1 0.2 0.3\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 90\nhither 1\nresolution 40 20\n";
 const std::string kMaterial = "f 1 0.5 0 0.8 0.3 20 0.4 1.5\n";
 
+const std::string kByteOrder = "\xEF\xBB\xBF";
+
 std::string answer(const std::string& text) {
   const Result<ReadScene> read = parse_scene(text, "f.nff");
   std::string all;
@@ -170,7 +172,39 @@ TEST(Nff, IsKnownByItsFirstStatementAlsoIfItIsAShape) {
             "  ^\n");
   for (const std::string first : {"s 0 0 0 1\n", "p 3\n", "pp 3\n", "c\n"})
     EXPECT_EQ(answer(first).find("eye"), std::string::npos) << first;
-  EXPECT_NE(answer("s kuglama\n").find("eye"), std::string::npos) << "a word of the lab's";
+  EXPECT_NE(to_string(parse_scene("s kuglama\n", "a").error().front()).find("eye"),
+            std::string::npos)
+      << "a word of the lab's";
+}
+
+TEST(Nff, IsElseKnownByItsName) {
+  EXPECT_EQ(answer(""), "f.nff:1:1: error: the file has no view: expected 'v'\n  \n  ^\n");
+  EXPECT_EQ(answer("// by a converter\nv\n").find("f.nff:1:1: error: '//' is no word of NFF"), 0u);
+  EXPECT_EQ(answer(kByteOrder + kView + kMaterial + "s 0 0 0 1\n"), "");
+  const auto answer_of_unknown = [](const std::string& text) {
+    return to_string(parse_scene(text, "a.xyz").error().front());
+  };
+  for (const std::string text : {"3\nwater\nO 0 0 0\nH 1 0 0\nH 0 1 0\n", "// POV\ncamera {\n}\n",
+                                 "BEGIN_SCENE\nRESOLUTION 400 400\n"})
+    EXPECT_EQ(answer_of_unknown(text),
+              "a.xyz: error: is of no format that can be read\n"
+              "  scenes are NFF (docs/nff.md) or the course's input.txt (docs/input-txt.md)\n");
+  EXPECT_EQ(parse_scene("<oko => 0, 0, 2:", "f.nff").error().front().message.find("NFF"),
+            std::string::npos)
+      << "what begins with a label is the lab's, whatever its name";
+}
+
+TEST(Nff, SpeaksOnceOfAViewThatIsWrong) {
+  EXPECT_EQ(answer("v\nfrom 0 0 5\nup 0 1 0\nangle 45\nhither 1\nresolution 9 9\n" + kMaterial +
+                   "s 0 0 0 1\n"),
+            "f.nff:3:1: error: 'up' does not belong here: expected 'at' of the view\n"
+            "  up 0 1 0\n"
+            "  ^\n");
+  EXPECT_EQ(answer("v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 180\nhither 1\nresolution 9 9\n"),
+            "f.nff:5:6: error: angle is 180: expected degrees from 0 to 180\n"
+            "  angle 180\n"
+            "       ^\n");
+  EXPECT_EQ(answer("from 0 0 5\n").find("f.nff:1:1: error: 'from' is no word of NFF"), 0u);
 }
 
 TEST(Nff, RefusesViewsOfNothing) {

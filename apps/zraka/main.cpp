@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <new>
 #include <string>
 #include <zraka/zraka.hpp>
 
 #include "commands.hpp"
+#include "core/file.hpp"
 #include "terminal.hpp"
 
 namespace zraka::app {
@@ -88,10 +91,31 @@ int run(int argc, char** argv) {
   return std::max(code, fail({problem}));
 }
 
+/// The last word where an exception cannot be caught, as that of oneTBB's where the system starts
+/// no more threads.
+[[noreturn]] void say_why_and_end() {
+  Diagnostic problem;
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+    problem.message = "zraka has met something impossible, and ends";
+  } catch (const std::exception& reason) {
+    problem.message = reason.what();
+    if (problem.message.find("pthread_create") != std::string::npos) {
+      problem.message = "the system starts no more threads for this user";
+      problem.hint = "--threads 1 needs no others";
+    }
+  } catch (...) {
+    problem.message = "zraka has met something unknown, and ends";
+  }
+  remove_incomplete_files();
+  std::_Exit(fail({problem}));
+}
+
 }  // namespace
 }  // namespace zraka::app
 
 int main(int argc, char** argv) {
   zraka::app::catch_interrupts();
+  std::set_terminate(zraka::app::say_why_and_end);
   return zraka::app::run(argc, argv);
 }

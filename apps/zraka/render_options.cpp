@@ -18,8 +18,8 @@ namespace {
 
 bool is_no_other_picture(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
-  for (const char* other :
-       {".jpg", ".jpeg", ".ppm", ".exr", ".bmp", ".tga", ".gif", ".tif", ".tiff", ".hdr", ".webp"})
+  for (const char* other : {".jpg", ".jpeg", ".ppm", ".exr", ".bmp", ".tga", ".gif", ".tif",
+                            ".tiff", ".hdr", ".webp", ".nff"})
     if (std::equal(extension.begin(), extension.end(), other, other + std::strlen(other),
                    [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; }))
       return false;
@@ -86,12 +86,13 @@ void RenderWords::add_to(CLI::App& command) {
 }
 
 Result<Scene> RenderWords::load() const {
-  // Large files are read on several threads, but not on more than were asked for.
-  std::optional<tbb::global_control> limit;
-  if (threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  // From reading to writing. The end of a limit lets more threads start, so this one has none:
+  // where the system allows only one thread, one must do.
+  if (threads > 0) {
+    [[maybe_unused]] static const auto* const limit = new tbb::global_control(
+        tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  }
   Result<ReadScene> read = read_scene(scene);
-  limit.reset();
   if (!read) return tl::make_unexpected(read.error());
   if (!quiet) show(read->warnings);
   Scene& loaded = read->scene;

@@ -4,31 +4,50 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "core/file.hpp"
 
 namespace zraka {
 namespace {
 
-/// Found by the content where it tells, for names can be anything; the last stands for all else.
+/// Found by the content where it tells, for names can be anything, else by the name's ending.
 constexpr std::array kFormats = {
-    Format{"NFF", std::uint64_t{1} << 36, looks_like_nff, parse_nff},
-    Format{"lab input.txt", std::uint64_t{1} << 30, [](std::string_view) { return true; },
-           parse_lab_input},
+    Format{"NFF", ".nff", std::uint64_t{1} << 36, likeness_to_nff, parse_nff},
+    Format{"lab input.txt", "", std::uint64_t{1} << 30, likeness_to_lab_input, parse_lab_input},
 };
 
+bool ends_with(std::string_view name, std::string_view ending) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return !ending.empty() && name.size() >= ending.size() &&
+         std::equal(ending.begin(), ending.end(), name.end() - std::ssize(ending),
+                    [&](char a, char b) { return a == lower(b); });
+}
+
+const Format* format_of(std::string_view text, std::string_view name) {
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  for (const Format& format : kFormats)
+    if (format.likeness(text) == Likeness::sure) return &format;
+  for (const Format& format : kFormats)
+    if (ends_with(name, format.ending)) return &format;
+  for (const Format& format : kFormats)
+    if (format.likeness(text) == Likeness::possible) return &format;
+  return nullptr;
+}
+
 Result<ReadScene> parse_text(std::string_view text, const std::string& name, const Passed& passed) {
-  for (const Format& format : kFormats) {
-    if (!format.looks_like(text)) continue;
-    Result<ReadScene> read =
-        text.size() <= format.largest
-            ? format.parse(text, name, passed)
-            : failure(name, fmt::format("is too large: over {} bytes", format.largest));
-    if (read) read->scene.format = format.name;
-    return read;
-  }
-  return failure(name, "is of no known format");
+  const Format* const format = format_of(text, name);
+  if (format == nullptr)
+    return failure(name, "is of no format that can be read",
+                   "scenes are NFF (docs/nff.md) or the course's input.txt (docs/input-txt.md)");
+  Result<ReadScene> read =
+      text.size() <= format->largest
+          ? format->parse(text, name, passed)
+          : failure(name, fmt::format("is too large: over {} bytes", format->largest));
+  if (read) read->scene.format = format->name;
+  return read;
 }
 
 }  // namespace

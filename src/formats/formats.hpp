@@ -13,19 +13,30 @@ namespace zraka {
 /// A reader of large files calls it now and then with the place that it has come to.
 using Passed = std::function<void(const char* at)>;
 
+/// Whether a text may be of a format.
+enum class Likeness { none, possible, sure };
+
 struct Format {
-  const char* name;       ///< for people
+  const char* name;         ///< for people
+  std::string_view ending;  ///< of its files' names, if any tells
   std::uint64_t largest;  ///< bytes that a file may have; the first format's is the largest of all
-  bool (*looks_like)(std::string_view text);
+  Likeness (*likeness)(std::string_view text);  ///< after a byte order mark, if there is one
   Result<ReadScene> (*parse)(std::string_view text, const std::string& name, const Passed& passed);
 };
 
-/// Does the text begin, comments aside, with a statement of NFF, whether or not it may stand first?
-bool looks_like_nff(std::string_view text);
+/// May stand before any UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// Sure where the text begins, comments aside, with a statement of NFF, whether or not it may stand
+/// first.
+Likeness likeness_to_nff(std::string_view text);
 Result<ReadScene> parse_nff(std::string_view text, const std::string& name, const Passed& passed);
 /// The same by blocks of about so many bytes, on all threads.
 Result<ReadScene> parse_nff_by_blocks(std::string_view text, const std::string& name,
                                       const Passed& passed, std::size_t block);
+/// Sure where the text begins with a label or a value, possible where its first line may have been
+/// meant as one, or if it is empty or no text, which the reader has words for.
+Likeness likeness_to_lab_input(std::string_view text);
 Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name, const Passed&);
 
 }  // namespace zraka

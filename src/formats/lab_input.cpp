@@ -21,6 +21,10 @@ using lab::Token;
 constexpr const char* kDecimalComma =
     "',' and ':' end a value, so a decimal comma (0,6) makes two values of one: write 0.6";
 
+bool is_no_text(char c) {
+  return static_cast<unsigned char>(c) < 0x20 && (c < '\t' || c > '\r');
+}
+
 /// A file with more problems than this is something else than the course's format.
 constexpr std::size_t kEnoughErrors = 100;
 
@@ -337,26 +341,26 @@ bool Reader::check_is_text() {
         {Severity::error, name_, 0, 0, "the file is empty: expected x of the eye", {}, {}});
     return false;
   }
-  const auto binary = std::find_if(text_.begin(), text_.end(), [](char c) {
-    return static_cast<unsigned char>(c) < 0x20 && (c < '\t' || c > '\r');
-  });
+  const auto binary = std::find_if(text_.begin(), text_.end(), is_no_text);
   if (binary == text_.end()) return true;
   const bool utf16 = text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF");
-  errors_.push_back(
-      {Severity::error,
-       name_,
-       0,
-       0,
-       fmt::format("the file is not text: byte {} is 0x{:02x}", binary - text_.begin() + 1,
-                   static_cast<unsigned char>(*binary)),
-       utf16 ? "it looks like UTF-16: save it as UTF-8" : "expected the course's input.txt format",
-       {}});
+  const bool gzip = text_.starts_with("\x1F\x8B");
+  errors_.push_back({Severity::error,
+                     name_,
+                     0,
+                     0,
+                     fmt::format("the file is not text: byte {} is 0x{:02x}",
+                                 binary - text_.begin() + 1, static_cast<unsigned char>(*binary)),
+                     utf16  ? "it looks like UTF-16: save it as UTF-8"
+                     : gzip ? "it looks like a file packed by gzip: unpack it first"
+                            : "expected the course's input.txt format",
+                     {}});
   return false;
 }
 
 Result<ReadScene> Reader::read() {
   if (!check_is_text()) return tl::make_unexpected(std::move(errors_));
-  if (text_.starts_with("\xEF\xBB\xBF")) tokens_.rewind(3);  // a byte order mark
+  if (text_.starts_with(kByteOrderMark)) tokens_.rewind(kByteOrderMark.size());
   scene_.default_profile = ProfileName::lab;
   read_head();
   while (!ended_ && !(count_known_ && sphere_ == announced_)) {
@@ -371,6 +375,16 @@ Result<ReadScene> Reader::read() {
 }
 
 }  // namespace
+
+Likeness likeness_to_lab_input(std::string_view text) {
+  lab::Tokens tokens(text);
+  Token first;
+  if (!tokens.next(first)) return Likeness::possible;
+  if (first.labelled || parse_number(first.text)) return Likeness::sure;
+  const bool one_line = first.text.find_first_of("\r\n") == std::string::npos;
+  return one_line || std::any_of(text.begin(), text.end(), is_no_text) ? Likeness::possible
+                                                                       : Likeness::none;
+}
 
 Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name, const Passed&) {
   return Reader(text, name).read();

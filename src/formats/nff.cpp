@@ -43,28 +43,31 @@ const char* next_block(const char* at, const char* end, std::size_t size) {
 
 }  // namespace
 
-bool looks_like_nff(std::string_view text) {
+Likeness likeness_to_nff(std::string_view text) {
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
     const std::string_view words = trimmed(line);
     if (!words.empty() && words.front() != '#') {
-      if (words == "v" || words == "c") return true;
+      if (words == "v" || words == "c") return Likeness::sure;
       const std::size_t end = words.find_first_of(" \t");
-      if (end == std::string_view::npos) return false;
+      if (end == std::string_view::npos) return Likeness::none;
       const std::string_view word = words.substr(0, end), rest = trimmed(words.substr(end));
-      if (word == "v" || word == "b" || word == "l" || word == "f") return true;
-      return (word == "s" || word == "p" || word == "pp") &&
-             std::string_view("0123456789+-.").find(rest.front()) != std::string_view::npos;
+      if (word == "v" || word == "b" || word == "l" || word == "f") return Likeness::sure;
+      const bool shape =
+          (word == "s" || word == "p" || word == "pp") &&
+          std::string_view("0123456789+-.").find(rest.front()) != std::string_view::npos;
+      return shape ? Likeness::sure : Likeness::none;
     }
     text.remove_prefix(std::min(text.size(), line.size() + 1));
   }
-  return false;
+  return Likeness::none;
 }
 
 Result<ReadScene> parse_nff(std::string_view text, const std::string& name, const Passed& passed) {
   constexpr std::size_t kBlock = std::size_t{1} << 20;
   const bool alone =
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) < 2;
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   if (!alone && text.size() > 2 * kBlock) return parse_nff_by_blocks(text, name, passed, kBlock);
   NffReader reader(text, name, passed);
   reader.read_to(text.data() + text.size());

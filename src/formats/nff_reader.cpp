@@ -14,6 +14,9 @@ namespace {
 /// Corners of a polygon; cutting one into triangles takes time that grows with their square.
 constexpr std::size_t kMostCorners = 20000;
 
+constexpr std::array<std::string_view, 6> kWordsOfView = {"from",  "at",     "up",
+                                                          "angle", "hither", "resolution"};
+
 Vec3 operator-(const Vec3& a, const Vec3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
@@ -92,9 +95,8 @@ bool NffReader::number_on_line() {
 
 bool NffReader::read_view() {
   double hither = 0, width = 0, height = 0;
-  constexpr std::array<std::string_view, 6> kWords = {"from",  "at",     "up",
-                                                      "angle", "hither", "resolution"};
-  for (const std::string_view want : kWords) {
+  view_failed_ = true;  // until it has been read
+  for (const std::string_view want : kWordsOfView) {
     skip_space();
     const std::string_view word = word_at(at_);
     if (word != want)
@@ -123,6 +125,7 @@ bool NffReader::read_view() {
     }
   }
   viewed_ = true;
+  view_failed_ = false;
   const Vec3 along = to_ - from_;
   if (!(length(along) > 0)) return fail(at_, "the eye is at the place that it looks at");
   if (!(length(cross(along, up_)) > 0))
@@ -251,6 +254,10 @@ bool NffReader::read_entity(std::string_view word) {
     }
     return word == "s" ? read_sphere() : word == "c" ? read_cone() : read_polygon(word == "pp");
   }
+  // What is left of a view that was wrong has been spoken of.
+  if (view_failed_ &&
+      std::find(kWordsOfView.begin(), kWordsOfView.end(), word) != kWordsOfView.end())
+    return false;
   return fail(place, fmt::format("'{}' is no word of NFF: expected v, b, l, f, s, c, p or pp",
                                  shown(word)));
 }
@@ -333,7 +340,7 @@ bool NffReader::take(const NffReader& block, const char* begin, const char* end)
 
 Result<ReadScene> NffReader::finish() {
   if (has_enough()) fail(at_, "too many problems; the rest of the file is not read");
-  if (!viewed_) fail(end_, "the file has no view: expected 'v'");
+  if (!viewed_ && !view_failed_) fail(end_, "the file has no view: expected 'v'");
   if (!errors_.empty()) return tl::make_unexpected(std::move(errors_));
   set_scene_up();
   return ReadScene{std::move(scene_), std::move(warnings_)};

@@ -77,7 +77,7 @@ class NffReader {
   const char* looked_ahead_ = nullptr;
   Scene scene_;
   Diagnostics errors_, warnings_;
-  bool viewed_ = false, inside_out_said_ = false;
+  bool viewed_ = false, view_failed_ = false, inside_out_said_ = false;
   bool has_globals_ = false;  ///< a view, a background or a light
   std::vector<std::size_t> plain_lights_;
   Vec3 from_, to_, up_;

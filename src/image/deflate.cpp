@@ -2,7 +2,7 @@
 #include "image/deflate.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 #include <zlib.h>
@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <atomic>
 #include <new>
-#include <optional>
 
 #include "core/handover.hpp"
 
@@ -104,7 +103,10 @@ bool deflate_rows(const Rows& rows, int level, int threads,
   const auto together =
       static_cast<std::uint32_t>(std::max<std::size_t>(1, kPieceBytes / rows.bytes));
   Stream stream(take);
-  if (threads == 1 || rows.count <= together) {
+  // More threads than processors would only wait for each other.
+  const int all = tbb::info::default_concurrency();
+  const int workers = threads == 0 ? all : std::min(threads, all);
+  if (workers == 1 || rows.count <= together) {
     Deflater deflater(level);
     for (std::uint32_t first = 0; first < rows.count; first += together) {
       const std::uint32_t end = std::min(rows.count - first, together) + first;
@@ -118,10 +120,7 @@ bool deflate_rows(const Rows& rows, int level, int threads,
     Piece piece;
   };
   tbb::enumerable_thread_specific<Deflater> deflaters(level);
-  std::optional<tbb::global_control> limit;
-  if (threads != 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
+  tbb::task_arena arena(workers);
   Handover jobs, pieces, parts;
   std::uint32_t next = 0;
   std::atomic<bool> going = true;
@@ -152,8 +151,7 @@ bool deflate_rows(const Rows& rows, int level, int threads,
   jobs.give();
   arena.execute([&] {
     using tbb::filter_mode, tbb::make_filter;
-    const int most = tbb::this_task_arena::max_concurrency();
-    tbb::parallel_pipeline(2 * static_cast<std::size_t>(most),
+    tbb::parallel_pipeline(2 * static_cast<std::size_t>(workers),
                            make_filter<void, Job>(filter_mode::serial_in_order, next_job) &
                                make_filter<Job, Job>(filter_mode::parallel, do_job) &
                                make_filter<Job, void>(filter_mode::serial_in_order, hand_over));
