@@ -293,7 +293,7 @@ TEST(Polygon, IsHalvedWhereItIsRound) {
   EXPECT_LT(cuts, 1.1 * want);  // rounding decides between equal cuts; a fan has 3 times as much
 }
 
-TEST(Polygon, WithAHoleOnABridgeIsCovered) {
+TEST(Polygon, WithHolesOnBridgesIsCovered) {
   EXPECT_DOUBLE_EQ(area({{0, 0, 0},
                          {4, 0, 0},
                          {4, 4, 0},
@@ -305,6 +305,38 @@ TEST(Polygon, WithAHoleOnABridgeIsCovered) {
                          {3, 1, 0},
                          {1, 1, 0}}),
                    12);
+  // After a cut more than its neighbours may have become ears.
+  EXPECT_DOUBLE_EQ(area({{0, 0, 0},
+                         {8, 3, 0},
+                         {9, 1, 0},
+                         {7, 1, 0},
+                         {8, 3, 0},
+                         {0, 0, 0},
+                         {18, 0, 0},
+                         {18, 18, 0},
+                         {15, 2, 0},
+                         {13, 2, 0},
+                         {14, 4, 0},
+                         {15, 2, 0},
+                         {18, 18, 0},
+                         {0, 18, 0}}),
+                   320);
+}
+
+TEST(Polygon, WithRepeatedCornersIsCovered) {
+  EXPECT_DOUBLE_EQ(area({{29, 0, 0},
+                         {41, 41, 0},
+                         {41, 41, 0},
+                         {0, 36, 0},
+                         {-30, 30, 0},
+                         {-30, 30, 0},
+                         {-26, 0, 0},
+                         {-20, -20, 0},
+                         {-20, -20, 0},
+                         {0, -27, 0},
+                         {29, -29, 0},
+                         {29, -29, 0}}),
+                   3604.5);
 }
 
 TEST(Polygon, FacesAnyWay) {

@@ -102,7 +102,7 @@ int run(int argc, char** argv) {
     problem.message = reason.what();
     if (problem.message.find("pthread_create") != std::string::npos) {
       problem.message = "the system starts no more threads for this user";
-      problem.hint = "--threads 1 needs no others";
+      problem.hint = "with --threads 1 none is needed";
     }
   } catch (...) {
     problem.message = "zraka has met something unknown, and ends";

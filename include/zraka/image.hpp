@@ -31,7 +31,7 @@ enum class Transfer { linear, srgb };
 struct PngOptions {
   int bits = 8;  ///< a channel: 8 or 16
   Transfer transfer = Transfer::linear;
-  int threads = 0;  ///< 0: one for each processor; the file is the same
+  int threads = 1;  ///< 0: one for each processor; the file is the same from any number
 };
 
 /// Clamped to 0…1, by the transfer curve, then int(value·max + 0.5) with max 255 or 65535; NaN is

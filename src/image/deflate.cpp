@@ -105,7 +105,7 @@ bool deflate_rows(const Rows& rows, int level, int threads,
   Stream stream(take);
   // More threads than processors would only wait for each other.
   const int all = tbb::info::default_concurrency();
-  const int workers = threads == 0 ? all : std::min(threads, all);
+  const int workers = threads == 0 ? all : std::clamp(threads, 1, all);
   if (workers == 1 || rows.count <= together) {
     Deflater deflater(level);
     for (std::uint32_t first = 0; first < rows.count; first += together) {

@@ -8,6 +8,7 @@
 #include <csetjmp>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <new>
 #include <vector>
 #include <zraka/image.hpp>
@@ -81,7 +82,11 @@ std::string write_to(std::FILE* stream, const Image& image, const PngOptions& op
   constexpr int kLevel = 2;
   const RowQuantizer quantizer(options.transfer, options.bits);
   const auto take = [png](const std::vector<unsigned char>& part) {
-    return write_chunk(png, "IDAT", part.data(), part.size());
+    constexpr std::size_t kLongest = std::size_t{1} << 30;  // PNG's chunks have 31 bits
+    bool good = true;
+    for (std::size_t at = 0; good && at < part.size(); at += kLongest)
+      good = write_chunk(png, "IDAT", part.data() + at, std::min(kLongest, part.size() - at));
+    return good;
   };
   bool good = false;
   try {
@@ -91,6 +96,8 @@ std::string write_to(std::FILE* stream, const Image& image, const PngOptions& op
            write_chunk(png, "IEND", nullptr, 0);
   } catch (const std::bad_alloc&) {
     message.text = "not enough memory";
+  } catch (const std::exception& reason) {  // oneTBB's, where the system starts no more threads
+    message.text = reason.what();
   }
   png_destroy_write_struct(&png, &info);
   if (good) return "";

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <queue>
+#include <utility>
 
 namespace zraka {
 namespace {
@@ -57,33 +58,23 @@ class EarCutter {
   explicit EarCutter(const std::vector<Vec3>& corners)
       : corners_(corners), flat_(flattened(corners)), links_(corners.size()) {
     const auto n = static_cast<std::uint32_t>(corners.size());
+    looks_left_ = 8 * std::int64_t{n} * n + 1000;
     for (std::uint32_t i = 0; i < n; ++i) links_[i] = {(i + n - 1) % n, (i + 1) % n};
   }
 
   std::vector<std::array<std::uint32_t, 3>> cut() {
-    std::size_t left = corners_.size();
-    for (std::uint32_t i = 0; i < left; ++i)
-      if (turns_right(i)) right_.push_back(i);
-    for (std::uint32_t i = 0; i < left; ++i) look_at(i);
     std::uint32_t last = 0;
-    for (; left > 3; --left) {
-      // Corners that lie on a line, and polygons that cross themselves, may leave no ears: then a
-      // corner goes without one.
-      std::uint32_t corner = links_[last].after;
-      if (const auto ear = next_ear()) {
-        corner = *ear;
-        triangles_.push_back({links_[corner].before, corner, links_[corner].after});
+    look_at_all(last);
+    for (std::size_t left = corners_.size(); left > 3; --left) {
+      std::optional<std::uint32_t> ear = next_ear();
+      // Where corners lie on one another, as at bridges to holes, one may have become an ear
+      // without being a neighbour of what was cut.
+      if (!ear && looks_left_ > 0) {
+        look_at_all(last);
+        ear = next_ear();
       }
-      last = links_[corner].before;
-      const std::uint32_t after = links_[corner].after;
-      links_[last].after = after;
-      links_[after].before = last;
-      links_[corner].there = false;
-      std::erase_if(right_, [&](std::uint32_t i) {
-        return i == corner || ((i == last || i == after) && !turns_right(i));
-      });
-      look_at(last);
-      look_at(after);
+      if (ear) triangles_.push_back({links_[*ear].before, *ear, links_[*ear].after});
+      last = take_out(ear ? *ear : needless_corner(last));
     }
     std::array<std::uint32_t, 3> rest = {links_[last].before, last, links_[last].after};
     std::rotate(rest.begin(), std::min_element(rest.begin(), rest.end()), rest.end());
@@ -105,8 +96,57 @@ class EarCutter {
     }
   };
 
-  bool turns_right(std::uint32_t i) const {
-    return turn(flat_[links_[i].before], flat_[i], flat_[links_[i].after]) < 0;
+  double turn_at(std::uint32_t i) const {
+    return turn(flat_[links_[i].before], flat_[i], flat_[links_[i].after]);
+  }
+  bool turns_right(std::uint32_t i) const { return turn_at(i) < 0; }
+
+  /// Calls function(corner) for all that are left, from this one on, until it returns false.
+  template <class Function>
+  void each_left(std::uint32_t first, const Function& function) const {
+    std::uint32_t corner = first;
+    do {
+      if (!function(corner)) return;
+      corner = links_[corner].after;
+    } while (corner != first);
+  }
+
+  void look_at_all(std::uint32_t first) {
+    right_.clear();
+    each_left(first, [&](std::uint32_t i) {
+      if (turns_right(i)) right_.push_back(i);
+      return true;
+    });
+    each_left(first, [&](std::uint32_t i) {
+      look_at(i);
+      return true;
+    });
+  }
+
+  /// Of a polygon without ears the corner that goes without a triangle: one on a line, or on its
+  /// neighbour, if there is any; else the polygon crosses itself.
+  std::uint32_t needless_corner(std::uint32_t from) const {
+    std::uint32_t found = links_[from].after;
+    each_left(found, [&](std::uint32_t i) {
+      if (turn_at(i) != 0) return true;
+      found = i;
+      return false;
+    });
+    return found;
+  }
+
+  /// Returns the one before.
+  std::uint32_t take_out(std::uint32_t corner) {
+    const auto [before, after] = std::pair(links_[corner].before, links_[corner].after);
+    links_[before].after = after;
+    links_[after].before = before;
+    links_[corner].there = false;
+    std::erase_if(right_, [&](std::uint32_t i) {
+      return i == corner || ((i == before || i == after) && !turns_right(i));
+    });
+    look_at(before);
+    look_at(after);
+    return before;
   }
 
   bool is_ear(std::uint32_t corner) const {
@@ -122,6 +162,7 @@ class EarCutter {
   void look_at(std::uint32_t corner) {
     Link& link = links_[corner];
     ++link.looks;
+    looks_left_ -= static_cast<std::int64_t>(1 + right_.size());
     if (is_ear(corner))
       ears_.push(
           {squared_distance(corners_[link.before], corners_[link.after]), corner, link.looks});
@@ -140,6 +181,9 @@ class EarCutter {
   std::vector<Point> flat_;
   std::vector<Link> links_;
   std::vector<std::uint32_t> right_;  ///< corners that turn right
+  /// A polygon that crosses itself may have no ears; then looking for one at every corner again and
+  /// again must end.
+  std::int64_t looks_left_ = 0;
   std::priority_queue<Ear, std::vector<Ear>, std::greater<>> ears_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
