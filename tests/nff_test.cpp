@@ -244,6 +244,18 @@ TEST(Nff, WarnsOfWhatItDrawsOtherwise) {
             "both sides are\n"
             "  s 0 0 0 -1\n"
             "   ^\n");
+  EXPECT_EQ(answer(kView + kMaterial + "c 0 0 0 1 0 0 1 -1\nc 0 0 0 -1 0 0 1 -1\n"),
+            "f.nff:10:2: warning: a negative radius makes only the inside visible in NFF; here "
+            "both sides are\n"
+            "  c 0 0 0 1 0 0 1 -1\n"
+            "   ^\n");
+}
+
+TEST(Nff, WarnsOnceOfColoursThatCountTo255) {
+  EXPECT_EQ(answer(kView + "f 255 128 0 1 0 1 0 1\ns 0 0 0 1\nf 0 0 1.5 1 0 1 0 1\n"),
+            "f.nff:9:2: warning: a colour of 255 is brighter than white: NFF's are from 0 to 1\n"
+            "  f 255 128 0 1 0 1 0 1\n"
+            "   ^\n");
 }
 
 /// Sum of the triangles' areas, and whether each turns the way that the polygon does.

@@ -14,6 +14,8 @@ namespace {
 /// Corners of a polygon; cutting one into triangles takes time that grows with their square.
 constexpr std::size_t kMostCorners = 20000;
 
+constexpr const char* kInsideOut =
+    "a negative radius makes only the inside visible in NFF; here both sides are";
 constexpr std::array<std::string_view, 6> kWordsOfView = {"from",  "at",     "up",
                                                           "angle", "hither", "resolution"};
 
@@ -41,6 +43,11 @@ void NffReader::add(Severity severity, const char* at, std::string message, std:
   (severity == Severity::error ? errors_ : warnings_)
       .push_back({severity, name_, place.line, place.column, std::move(message), std::move(hint),
                   places_.excerpt(position)});
+}
+
+void NffReader::warn_once(bool& said, const char* at, std::string message) {
+  if (!said) add(Severity::warning, at, std::move(message));
+  said = true;
 }
 
 void NffReader::skip_space() {
@@ -151,8 +158,12 @@ bool NffReader::read_material() {
   constexpr std::array<const char*, 8> kNames = {"red", "green", "blue", "Kd",
                                                  "Ks",  "Shine", "T",    "index of refraction"};
   Row row;
+  const char* place = at_;
   for (std::size_t i = 0; i < row.size(); ++i)
     if (!number(row[i], kNames[i])) return false;
+  if (const double most = std::max({row[0], row[1], row[2]}); most > 1)
+    warn_once(too_bright_said_, place,
+              fmt::format("a colour of {} is brighter than white: NFF's are from 0 to 1", most));
   material_ = material_of(row);
   return true;
 }
@@ -182,11 +193,7 @@ bool NffReader::read_sphere() {
   if (!vector(s.center, "the sphere's centre") || !number(s.radius, "the sphere's radius"))
     return false;
   if (s.radius == 0) return fail(place, "the sphere's radius is 0");
-  if (s.radius < 0 && !inside_out_said_) {
-    inside_out_said_ = true;
-    add(Severity::warning, place,
-        "a negative radius makes only the inside visible in NFF; here both sides are");
-  }
+  if (s.radius < 0) warn_once(inside_out_said_, place, kInsideOut);
   s.radius = std::fabs(s.radius);
   scene_.spheres.push_back({s, *material_});
   return true;
@@ -198,6 +205,7 @@ bool NffReader::read_cone() {
   if (!vector(c.base, "the cone's base") || !number(c.base_radius, "the base's radius") ||
       !vector(c.apex, "the cone's apex") || !number(c.apex_radius, "the apex' radius"))
     return false;
+  if (c.base_radius < 0 || c.apex_radius < 0) warn_once(inside_out_said_, place, kInsideOut);
   c.base_radius = std::fabs(c.base_radius);
   c.apex_radius = std::fabs(c.apex_radius);
   if (c.base == c.apex) return fail(place, "the cone's ends are one point");

@@ -49,6 +49,7 @@ class NffReader {
   };
 
   void add(Severity severity, const char* at, std::string message, std::string hint = {});
+  void warn_once(bool& said, const char* at, std::string message);
   bool fail(const char* at, std::string message, std::string hint = {}) {
     add(Severity::error, at, std::move(message), std::move(hint));
     return false;
@@ -77,7 +78,8 @@ class NffReader {
   const char* looked_ahead_ = nullptr;
   Scene scene_;
   Diagnostics errors_, warnings_;
-  bool viewed_ = false, view_failed_ = false, inside_out_said_ = false;
+  bool viewed_ = false, view_failed_ = false;
+  bool inside_out_said_ = false, too_bright_said_ = false;
   bool has_globals_ = false;  ///< a view, a background or a light
   std::vector<std::size_t> plain_lights_;
   Vec3 from_, to_, up_;
