@@ -59,6 +59,10 @@ TEST_F(Files, KeepPermissionsAndLinks) {
   fs::create_symlink(path("a"), path("link"));
   ASSERT_TRUE(write_text_file(path("link"), "new"));
   EXPECT_TRUE(fs::is_symlink(path("link")));
+  fs::create_symlink("new", path("to-new"));
+  ASSERT_TRUE(write_text_file(path("to-new"), "first"));
+  EXPECT_TRUE(fs::is_symlink(path("to-new")));
+  EXPECT_TRUE(fs::is_regular_file(path("new")));
   EXPECT_EQ(content(path("a")), "new");
   EXPECT_EQ(static_cast<int>(fs::status(path("a")).permissions()), 0640);
 }

@@ -163,6 +163,8 @@ Result<NewFile> NewFile::create(const std::string& path) {
   std::error_code error;
   const auto target = std::filesystem::canonical(path, error);
   file.path_ = error ? path : target.string();
+  if (error && std::filesystem::is_symlink(path, error))  // to a file that is not there yet
+    file.path_ = std::filesystem::path(path).replace_filename(std::filesystem::read_symlink(path));
   if (!error && std::filesystem::is_directory(target, error))
     return failure(path, "cannot be written: it is a folder");
   struct stat old{};
