@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sched.h>
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -37,6 +38,15 @@ TEST(SpreadWorkers, LeavesEveryThreadAsFreeAsItWas) {
       EXPECT_EQ(bound, 0) << threads;
     });
   }
+}
+
+// In a process of its own, as ctest runs it.
+TEST(SpreadWorkers, LetsOneTbbCountAllProcessors) {
+  const cpu_set_t all = processors();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(CPU_COUNT(&all)));
+  spread_workers(CPU_COUNT(&all));
+  EXPECT_EQ(tbb::info::default_concurrency(), CPU_COUNT(&all));
 }
 
 TEST(SpreadWorkers, KeepsToTheProcessorsThatItIsAllowed) {

@@ -2,6 +2,8 @@
 #include "core/spread.hpp"
 
 #include <sched.h>
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
 #include <atomic>
@@ -60,36 +62,41 @@ void spread_workers(int threads) {
   constexpr std::chrono::microseconds kPatience(300);
   const int workers = threads - 1;
   if (workers < 1) return;
-  std::mutex mutex;
-  std::condition_variable changed;
-  std::atomic<int> come = 0;
-  std::atomic<bool> over = false;
-  tbb::task_group group;
-  {
-    Processors mine;
-    if (threads > mine.count()) return;  // they would only wait for each other
-    const int here = ::sched_getcpu();
-    const bool one_each = here >= 0 && mine.count() == threads;
-    // Else a thread that wakes goes to where the one that woke it is.
-    if (one_each) mine.move_to(here);
-    const AtEnd end{over};
-    for (int i = 0; i < workers; ++i)
-      group.run([&, here, one_each] {
-        if (over) return;
-        {
-          const std::lock_guard<std::mutex> lock(mutex);
-          const int index = come++;
-          if (one_each) Processors().move_away_from(here, index);
-          changed.notify_one();
-        }
-        // A worker that left now might come twice.
-        while (!over && come < workers) std::this_thread::yield();
-      });
-    std::unique_lock<std::mutex> lock(mutex);
-    changed.wait_for(lock, kPatience, [&] { return come == workers; });
-  }
-  // Free again, for this thread may find other work of its arena here.
-  group.wait();
+  // oneTBB counts the processors once, and must not do so while this thread is bound to one.
+  (void)tbb::info::default_concurrency();
+  Processors mine;
+  if (threads > mine.count()) return;  // they would only wait for each other
+  const int here = ::sched_getcpu();
+  const bool one_each = here >= 0 && mine.count() == threads;
+  // Else a thread that wakes goes to where the one that woke it is; so until all tasks have ended.
+  if (one_each) mine.move_to(here);
+
+  // Isolated, for a thread that is bound must not begin with other work of its arena.
+  tbb::this_task_arena::isolate([&] {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::atomic<int> come = 0;
+    std::atomic<bool> over = false;
+    tbb::task_group group;
+    {
+      const AtEnd end{over};
+      for (int i = 0; i < workers; ++i)
+        group.run([&] {
+          if (over) return;
+          {
+            const std::lock_guard<std::mutex> lock(mutex);
+            const int index = come++;
+            if (one_each) Processors().move_away_from(here, index);
+            changed.notify_one();
+          }
+          // A worker that left now might come twice.
+          while (!over && come < workers) std::this_thread::yield();
+        });
+      std::unique_lock<std::mutex> lock(mutex);
+      changed.wait_for(lock, kPatience, [&] { return come == workers; });
+    }
+    group.wait();
+  });
 }
 
 }  // namespace zraka
