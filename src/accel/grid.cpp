@@ -7,8 +7,35 @@
 #include <array>
 
 #include "core/handover.hpp"
+#include "core/in_parallel.hpp"
+#include "core/unset_vector.hpp"
 
 namespace zraka {
+namespace {
+
+/// Moves each reference into its part, by exchange with what stands where it belongs. The number of
+/// each one's part moves along: to compute it on the way would be most of the way.
+void put_in_place(const std::vector<Range>& parts, std::uint8_t* part_of) {
+  BuildRef* const refs = parts.front().begin;
+  std::vector<std::size_t> next;
+  for (const Range& part : parts) next.push_back(static_cast<std::size_t>(part.begin - refs));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto end = static_cast<std::size_t>(parts[i].end - refs);
+    for (std::size_t& at = next[i]; at != end; ++at) {
+      std::uint8_t to = part_of[at];
+      if (to == i) continue;
+      BuildRef moving = refs[at];
+      do {
+        const std::size_t place = next[to]++;
+        std::swap(moving, refs[place]);
+        std::swap(to, part_of[place]);
+      } while (to != i);
+      refs[at] = moving;
+    }
+  }
+}
+
+}  // namespace
 
 /// Its bounds, its count, and its best split.
 void Grid::look_into(Block& block) const {
@@ -69,25 +96,21 @@ std::vector<Range> Grid::cut(const Range& range, std::size_t most) const {
     blocks.push_back(right);
   }
 
-  // Each reference into its block's part, by exchange with what stands where it belongs.
   std::vector<std::uint8_t> block_of(kCells);
   std::vector<Range> ranges;
-  std::vector<BuildRef*> next;
   BuildRef* at = range.begin;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     each_cell(blocks[i], [&](std::size_t cell, int, int, int) {
       block_of[cell] = static_cast<std::uint8_t>(i);
     });
     ranges.push_back({at, at + blocks[i].count, blocks[i].bounds, {}});
-    next.push_back(at);
     at += blocks[i].count;
   }
-  for (std::size_t i = 0; i < ranges.size(); ++i)
-    while (next[i] != ranges[i].end) {
-      BuildRef moving = *next[i];
-      for (std::size_t to; (to = block_of[cell_of(moving)]) != i;) std::swap(moving, *next[to]++);
-      *next[i]++ = moving;
-    }
+  UnsetVector<std::uint8_t> part_of(range.size());
+  in_parallel(range.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) part_of[i] = block_of[cell_of(range.begin[i])];
+  });
+  put_in_place(ranges, part_of.data());
   return ranges;
 }
 
