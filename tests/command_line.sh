@@ -76,7 +76,7 @@ bad "expected 11585 at most" "$folder/large.txt"
 bad "too large: at most 134217728 pixels fit" "$scene" --width 1000000
 if [ "$(id -u)" != 0 ]; then
   "$zraka" generate sphereflake --size 2 -o "$folder/flake.nff"
-  exactly 0 "" bash -c "ulimit -u 1; exec '$zraka' render '$folder/flake.nff' -o '$folder/b.png' --threads 1"
+  exactly 0 "" bash -c "ulimit -u 1; exec '$zraka' render '$folder/flake.nff' -o '$folder/b.png' --threads 1 --stats"
   expect 1 "the system starts no more threads for this user" \
     bash -c "ulimit -u 1; exec '$zraka' render '$folder/flake.nff' -o '$folder/b.png' --threads 2"
   cp "$scene" "$folder/secret.txt" && chmod 000 "$folder/secret.txt"

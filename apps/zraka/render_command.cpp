@@ -95,7 +95,8 @@ int run(const Words& words) {
 
   std::future<std::string> hash;  // takes longer than writing, so it begins before
   if (!words.stats.empty())
-    hash = std::async(std::launch::async, [&] { return sha256(rendering->image); });
+    hash = std::async(options.threads == 1 ? std::launch::deferred : std::launch::async,
+                      [&] { return sha256(rendering->image); });
   const auto written_from = std::chrono::steady_clock::now();
   const Result<void> written = write_png(rendering->image, words.output,
                                          {words.bits, options.profile.transfer, options.threads});

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/corners.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "core/handover.hpp"
+#include "core/in_parallel.hpp"
 
 namespace zraka {
 namespace {
@@ -65,14 +63,10 @@ Image means_of_corners(Image corners, const DoAll& do_all) {
 
 Image means_of_corners(Image corners) {
   return means_of_corners(std::move(corners), [](std::size_t count, const auto& work) {
-    Handover to_bands, from_bands;
-    to_bands.give();
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t index) {
-      to_bands.take();
-      work(index);
-      from_bands.give();
-    });
-    from_bands.take();
+    const auto some = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t index = begin; index < end; ++index) work(index);
+    };
+    in_parallel(count, some, 1);
   });
 }
 
