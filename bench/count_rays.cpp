@@ -29,7 +29,7 @@ struct Words {
 };
 
 struct Counts {
-  std::uint64_t camera_hits = 0, later = 0, later_hits = 0, feelers = 0, blocked = 0;
+  std::uint64_t camera_hits = 0, later = 0, later_hits = 0, shadow_rays = 0, blocked = 0;
 };
 
 struct Ray {
@@ -52,7 +52,7 @@ Vec3 unit(const Vec3& v) {
   return v * (1 / length(v));
 }
 
-/// Whether the shape is met further than t_min and nearer than the hit, which is then moved there.
+/// Whether the shape is hit further than t_min and nearer than the hit, which is then moved there.
 bool meet(const Sphere& s, const Ray& ray, double t_min, Hit& hit) {
   const Vec3 from_center = ray.origin - s.center;
   const double b = dot(from_center, ray.direction);
@@ -125,22 +125,22 @@ bool meet(const Cone& s, const Ray& ray, double t_min, Hit& hit) {
 
 Hit nearest_hit(const Scene& scene, const Ray& ray, double t_min) {
   Hit hit;
-#define ZRAKA_MEET(Type, plural)                     \
+#define ZRAKA_INTERSECT(Type, plural)                \
   for (const auto& [shape, material] : scene.plural) \
     if (meet(shape, ray, t_min, hit)) hit.material = material;
-  ZRAKA_SHAPES(ZRAKA_MEET)
-#undef ZRAKA_MEET
+  ZRAKA_SHAPES(ZRAKA_INTERSECT)
+#undef ZRAKA_INTERSECT
   return hit;
 }
 
-bool is_blocked(const Scene& scene, const Ray& feeler, double t_min, double distance) {
+bool is_blocked(const Scene& scene, const Ray& shadow_ray, double t_min, double distance) {
   Hit hit;
   hit.distance = distance;
-#define ZRAKA_MEET(Type, plural)          \
+#define ZRAKA_INTERSECT(Type, plural)     \
   for (const auto& object : scene.plural) \
-    if (meet(object.shape, feeler, t_min, hit)) return true;
-  ZRAKA_SHAPES(ZRAKA_MEET)
-#undef ZRAKA_MEET
+    if (meet(object.shape, shadow_ray, t_min, hit)) return true;
+  ZRAKA_SHAPES(ZRAKA_INTERSECT)
+#undef ZRAKA_INTERSECT
   return false;
 }
 
@@ -166,7 +166,7 @@ void count(const Scene& scene, const Words& words, const Ray& from_eye, std::vec
     for (const PointLight& light : scene.lights) {
       const Vec3 way = light.position - point;
       if (dot(words.outward_normals && !two_sided ? outward : facing, way) <= 0) continue;
-      ++counts.feelers;
+      ++counts.shadow_rays;
       if (words.blocked)
         counts.blocked += is_blocked(scene, {point, unit(way), 0}, words.nearest, length(way));
     }
@@ -175,7 +175,7 @@ void count(const Scene& scene, const Words& words, const Ray& from_eye, std::vec
     const double cosine = -dot(facing, ray.direction);
     if (material.reflection > 0 || (glass && words.glass_reflects))
       waiting.push_back({point, unit(ray.direction + facing * (2 * cosine)), ray.level + 1});
-    const double ratio = inside ? material.refractive : 1 / material.refractive;
+    const double ratio = inside ? material.ior : 1 / material.ior;
     const double square = 1 - ratio * ratio * (1 - cosine * cosine);
     if (glass && square >= 0)
       waiting.push_back(
@@ -210,7 +210,7 @@ Counts count(const Scene& scene, const Words& words) {
     sum.camera_hits += part.camera_hits;
     sum.later += part.later;
     sum.later_hits += part.later_hits;
-    sum.feelers += part.feelers;
+    sum.shadow_rays += part.shadow_rays;
     sum.blocked += part.blocked;
   }
   return sum;
@@ -243,6 +243,6 @@ int main(int argc, char** argv) {
   fmt::print("rays from the eye that hit  {}\nlater rays                  {}\n", counts.camera_hits,
              counts.later);
   fmt::print("later rays that hit         {}\nshadow rays                 {}\n", counts.later_hits,
-             counts.feelers);
+             counts.shadow_rays);
   if (words.blocked) fmt::print("shadow rays that hit        {}\n", counts.blocked);
 }

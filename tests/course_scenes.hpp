@@ -21,7 +21,7 @@ inline Material glassy(Color color, double k1, double k2, double ratio) {
           .shininess = 12,
           .reflection = k1,
           .refraction = k2,
-          .refractive = ratio};
+          .ior = ratio};
 }
 
 /// A ground, glass in front of coloured spheres, mirrors that face each other, and a body behind

@@ -67,7 +67,7 @@ TEST(Lab, HasAmbientLightOfAHalf) {
 }
 
 TEST(Lab, LightsByLambertsLaw) {
-  // The middle ray meets (0, 0, 0), where N = (0, 0, 1); L is from there to (0, 2, 2).
+  // The middle ray hits (0, 0, 0), where N = (0, 0, 1); L is from there to (0, 2, 2).
   const Material m{.ambient = {0, 0, 0}, .diffuse = {0.2, 0.4, 1}};
   const double l_n = std::sqrt(0.5);
   expect_pixel(pixel_of(one_sphere(m), lab(Stage::diffuse), 50, 50), 0.2 * l_n, 0.4 * l_n, l_n);
@@ -158,8 +158,8 @@ TEST(Reflection, EndsAtTheGreatestDepth) {
 
 TEST(Refraction, GoesStraightThroughTheMiddle) {
   // Entry, exit, and the sphere behind: three levels of rays.
-  Scene scene = one_sphere(
-      {.ambient = {0, 0, 0}, .diffuse = {0, 0, 0}, .refraction = 0.8, .refractive = 0.6});
+  Scene scene =
+      one_sphere({.ambient = {0, 0, 0}, .diffuse = {0, 0, 0}, .refraction = 0.8, .ior = 0.6});
   add_sphere(scene, {0, 0, -9}, 1, {.ambient = {1, 0, 0}, .diffuse = {0, 0, 0}});
   expect_pixel(pixel_of(scene, lab(), 50, 50), 0.8 * 0.8 * 0.5, 0, 0);
   RenderOptions shallow = lab();
@@ -180,11 +180,11 @@ TEST(Refraction, TurnsTheRayBySnellsLaw) {
   Scene scene = lab_scene(100);
   scene.lights.clear();
   scene.camera = {{kX, 0, 1000}, {kX, 0, 999}, {1e-4, 0, 0}, {0, 1e-4, 0}};
-  add_sphere(scene, {0, 0, 0}, 1, {.ambient = {0, 0, 0}, .refraction = 1, .refractive = kB});
+  add_sphere(scene, {0, 0, 0}, 1, {.ambient = {0, 0, 0}, .refraction = 1, .ior = kB});
   add_sphere(scene, {out.x + 5 * along.x, 0, out.z + 5 * along.z}, 0.01, {.ambient = {1, 1, 1}});
   expect_pixel(pixel_of(scene, lab(), 50, 50), 0.5, 0.5, 0.5);
   // The physical profile takes the index of the inside, 1/b.
-  scene.materials[0].refractive = 1 / kB;
+  scene.materials[0].ior = 1 / kB;
   RenderOptions physical{.profile = profile_of(ProfileName::physical)};
   physical.profile.pixel_centers = false;
   expect_pixel(pixel_of(scene, physical, 50, 50), 0.5, 0.5, 0.5);
@@ -198,12 +198,9 @@ TEST(Refraction, IsTotalReflectionBeyondTheCriticalAngle) {
     scene.lights.clear();
     scene.background = {0, 1, 0};
     scene.camera = {{sine, 0, 1000}, {sine, 0, 999}, {1e-4, 0, 0}, {0, 1e-4, 0}};
-    const double refractive = profile == ProfileName::lab ? 1.5 : 1 / 1.5;
+    const double ior = profile == ProfileName::lab ? 1.5 : 1 / 1.5;
     add_sphere(scene, {0, 0, 0}, 1,
-               {.ambient = {0.2, 0, 0},
-                .reflection = reflection,
-                .refraction = 0.5,
-                .refractive = refractive});
+               {.ambient = {0.2, 0, 0}, .reflection = reflection, .refraction = 0.5, .ior = ior});
     RenderOptions options{.profile = profile_of(profile)};
     options.profile.pixel_centers = false;
     return pixel_of(scene, options, 50, 50);
@@ -252,7 +249,7 @@ TEST(Render, TakesTheFirstOfEqualShapes) {
 TEST(Render, CountsRaysOfEachKind) {
   Scene scene = lab_scene(10);
   add_sphere(scene, {0, 0, 2}, 100,
-             {.diffuse = {1, 1, 1}, .reflection = 0.5, .refraction = 0.5, .refractive = 1});
+             {.diffuse = {1, 1, 1}, .reflection = 0.5, .refraction = 0.5, .ior = 1});
   scene.lights[0].position = {0, 0, 2};
   RenderOptions options = lab();
   options.max_depth = 1;

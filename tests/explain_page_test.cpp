@@ -140,8 +140,8 @@ TEST(ExplainPage, CannotBeBrokenByNames) {
 
 TEST(ExplainPage, RefusesTreesThatNobodyCanRead) {
   Scene scene = lab_scene(10);
-  add_sphere(scene, {0, 0, 2}, 10, {.reflection = 0.5, .refraction = 0.5, .refractive = 1});
-  add_sphere(scene, {0, 0, 2}, 30, {.reflection = 0.5, .refraction = 0.5, .refractive = 1});
+  add_sphere(scene, {0, 0, 2}, 10, {.reflection = 0.5, .refraction = 0.5, .ior = 1});
+  add_sphere(scene, {0, 0, 2}, 30, {.reflection = 0.5, .refraction = 0.5, .ior = 1});
   RenderOptions options = with(ProfileName::lab);
   options.max_depth = 16;
   const Explanation e = explain(scene, options, 5, 5).value();

@@ -280,7 +280,7 @@ TEST(Explain, TellsShapesOfAllKindsApart) {
 }
 
 TEST(Explain, SaysWhyAChildIsNotThere) {
-  const Material glass{.reflection = 0.2, .refraction = 0.5, .refractive = 0.6};
+  const Material glass{.reflection = 0.2, .refraction = 0.5, .ior = 0.6};
   const Material matt{};
   const auto hit = [](const Scene& scene, const RenderOptions& options) {
     return *explain(scene, options, 50, 50).value().trees[0].rays[0].hit;
@@ -314,7 +314,7 @@ TEST(Explain, NamesTotalInternalReflection) {
     add_sphere(scene, {0, 0, 0}, 1,
                {.reflection = 0.25,
                 .refraction = 0.5,
-                .refractive = profile == ProfileName::lab ? 1.5 : 1 / 1.5});
+                .ior = profile == ProfileName::lab ? 1.5 : 1 / 1.5});
     const Explanation explanation = explain(scene, with(profile), 50, 50).value();
     const ExplainedHit& hit = *explanation.trees[0].rays[0].hit;
     ASSERT_TRUE(hit.snell);
@@ -358,8 +358,8 @@ TEST(Explain, SaysWhatItCannotDo) {
 TEST(Explain, RefusesTreesThatAreTooLarge) {
   // From within two spheres of glass most rays have two children.
   Scene scene = lab_scene(1);
-  add_sphere(scene, {0, 0, 2}, 10, {.reflection = 0.5, .refraction = 0.5, .refractive = 1});
-  add_sphere(scene, {0, 0, 2}, 30, {.reflection = 0.5, .refraction = 0.5, .refractive = 1});
+  add_sphere(scene, {0, 0, 2}, 10, {.reflection = 0.5, .refraction = 0.5, .ior = 1});
+  add_sphere(scene, {0, 0, 2}, 30, {.reflection = 0.5, .refraction = 0.5, .ior = 1});
   RenderOptions options = with(ProfileName::lab);
   for (const int depth : {0, 6, 12}) {
     options.max_depth = depth;

@@ -155,7 +155,7 @@ TEST(Sentence, TellsWhatAMirrorShows) {
 TEST(Sentence, TellsWhatGlassShowsAndWhatItLoses) {
   Material glass = kBlack;
   glass.refraction = 0.9;
-  glass.refractive = 0.7;
+  glass.ior = 0.7;
   Scene scene = one_sphere(glass);
   scene.background = {0.8, 0.8, 0.8};
   EXPECT_EQ(said(scene).english,
@@ -171,7 +171,7 @@ TEST(Sentence, TellsWhatGlassShowsAndWhatItLoses) {
             "0.9.");
   // A sphere that is thinner than what is around it, seen at 68 % of its radius.
   scene.camera = {{0.68, 0, 1000}, {0.68, 0, 999}, {1e-4, 0, 0}, {0, 1e-4, 0}};
-  scene.materials[0].refractive = 1.5;
+  scene.materials[0].ior = 1.5;
   EXPECT_EQ(said(scene).english,
             "Black because every term is 0. Total internal reflection leaves the share k2 = 0.9 of "
             "sphere 1 black.");
@@ -292,7 +292,7 @@ TEST(Text, ShowsEveryTerm) {
                  .shininess = 2,
                  .reflection = 0.5,
                  .refraction = 0.25,
-                 .refractive = 0.8};
+                 .ior = 0.8};
   Scene scene = one_sphere(glass);
   scene.lights[0].position = {0, 0, 8};
   RenderOptions options = lab();
@@ -307,7 +307,7 @@ ray from the eye
 │ normal N = (0, 0, 1)
 │ ambient component: Ia·ka = (0.5, 0.5, 0.5)·(0.2, 0.4, 0.6) = (0.1, 0.2, 0.3)
 │ light 1: L = (0, 0, 1), distance 8, L·N = 1
-│   the feeler reaches the light
+│   the shadow_ray reaches the light
 │   diffuse component: Ii·kd·(L·N) = (1, 1, 1)·(0.5, 0.5, 0.5)·1 = (0.5, 0.5, 0.5)
 │   specular component: Ii·ks·(R·V)ⁿ = (1, 1, 1)·(0.25, 0.25, 0.25)·1^2 = (0.25, 0.25, 0.25)
 │ local light: I = (0.85, 0.95, 1.05)

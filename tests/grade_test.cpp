@@ -135,7 +135,8 @@ TEST(Grade, GivesFullMarksToWhatIsRight) {
         return scaled_bilinearly(image, image.width * 5 / 4, image.height * 5 / 4);
       },
       "png");
-  expect_full("gamma", [](const Image& image) { return with_power(image, 1 / 2.2); }, "png");
+  expect_full(
+      "gamma", [](const Image& image) { return with_power(image, 1 / 2.2); }, "png");
   expect_full(
       "window",
       [](const Image& image) {

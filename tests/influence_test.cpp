@@ -13,7 +13,7 @@ namespace {
 
 using Key = std::tuple<std::vector<RayKind>, bool, bool>;
 
-/// The ways of a pixel by which a shape is met, from its trees.
+/// The ways of a pixel by which a shape is hit, from its trees.
 std::set<Key> ways_of_pixel(const Explanation& explanation, const ShapeId& shape) {
   std::set<Key> ways;
   for (const RayTree& tree : explanation.trees) {

@@ -185,9 +185,9 @@ void trace(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
                        L::I(-1)};
   };
   for (std::size_t first = 0; first < count; first += RayGroup<L>::kRays) {
-    RayGroup<L> feelers(first, count, load), group(first, count, load);
+    RayGroup<L> shadow_rays(first, count, load), group(first, count, load);
     LastBlocker last;
-    const std::uint32_t blocked = find_blocked<L>(*scene, last, feelers);
+    const std::uint32_t blocked = find_blocked<L>(*scene, last, shadow_rays);
     find_nearest<L>(*scene, group);
     for (std::size_t i = 0; i < RayGroup<L>::kRays && first + i < count; ++i) {
       L::Real t[L::kWidth];

@@ -15,9 +15,9 @@ struct ProbeRay {
   double limit;                    // hits beyond do not count
 };
 struct ProbeHit {
-  double t;         // the limit where nothing is met
+  double t;         // the limit where nothing is hit
   std::int32_t id;  // place in the scene as it was read, over all kinds; -1: nothing
-  bool blocked;     // what a feeler says
+  bool blocked;     // what a shadow ray says
 };
 
 struct LanesProbe {
@@ -34,7 +34,7 @@ struct LanesProbe {
   /// or not in their turn, or not at all.
   std::size_t (*wrong_pairs)(unsigned seed);
   /// Whether a stack has room for the deepest tree there may be, of full nodes, when each entry is
-  /// taken ahead of its turn as feelers do.
+  /// taken ahead of its turn as shadow rays do.
   bool (*stack_fits)();
   /// Hits of rays in a frozen scene, through its hierarchy if it has one: of floats, but of doubles
   /// for the oracle.

@@ -35,7 +35,8 @@ inline std::string english_words_in(std::string_view text) {
       each_word(text_of(Language::english, static_cast<Word>(i)), [&](const std::string& word) {
         if (word.size() > 1) words.insert(word);
       });
-    for (const char* both : {"to", "no", "on", "do", "zraka", "javascript", "program", "srgb"}) words.erase(both);
+    for (const char* both : {"to", "no", "on", "do", "zraka", "javascript", "program", "srgb"})
+      words.erase(both);
     return words;
   }();
   std::string found;

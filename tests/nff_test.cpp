@@ -42,7 +42,7 @@ std::string told(const Result<ReadScene>& read) {
   const Scene& s = read->scene;
   const auto add = [&](const Vec3& v) { all += fmt::format("{} {} {} ", v.x, v.y, v.z); };
   for (const Material& m : s.materials)
-    all += fmt::format("{} {} {}\n", m.diffuse.r, m.refraction, m.refractive);
+    all += fmt::format("{} {} {}\n", m.diffuse.r, m.refraction, m.ior);
   for (const auto& [shape, material] : s.spheres)
     add(shape.center), all += fmt::format("{} {}\n", shape.radius, material);
   for (const auto& [shape, material] : s.cones)
@@ -128,7 +128,7 @@ TEST(Nff, HasShapesWithTheMaterialBeforeThem) {
   EXPECT_EQ(s.smooth_triangles[0].shape.normal_c, (Vec3{0, 0, 1}));
   const Material want{{0.8, 0.4, 0}, {0.8, 0.4, 0}, {0.3, 0.3, 0.3}, 20, 0.3, 0.4, 1.5};
   EXPECT_EQ(s.materials[0], want);
-  EXPECT_EQ(s.materials[1].refractive, 1) << "an index of 0 is not divided by";
+  EXPECT_EQ(s.materials[1].ior, 1) << "an index of 0 is not divided by";
 }
 
 TEST(Nff, SaysWhatIsWrongAndGoesOn) {

@@ -67,7 +67,7 @@ TEST(Segments, AreAsLongAsCanBeSeen) {
   scene.lights = {{{0, 0, 1e30}, {1, 1, 1}}};
   for (const Segment& s : segments_of(scene, explain(scene, lab(), 50, 50).value()))
     EXPECT_LE(std::hypot(s.to.x - s.from.x, s.to.y - s.from.y, s.to.z - s.from.z), 16.001);
-  // A ray that meets nothing goes as far as the window, and as much again.
+  // A ray that hits nothing goes as far as the window, and as much again.
   const std::vector<Segment> one = segments_of(scene, explain(scene, lab(), 0, 0).value());
   ASSERT_EQ(one.size(), 1u);
   EXPECT_NEAR(std::hypot(one[0].to.x, one[0].to.y, one[0].to.z - 2), 2, 1e-5);

@@ -43,10 +43,10 @@ inline Scene tangled_scene(std::uint32_t resolution = 100) {
                      .shininess = 1 + 100 * unit(),
                      .reflection = i % 3 == 0 ? 0.5 * unit() : 0,
                      .refraction = i % 2 == 0 ? 0.9 * unit() : 0,
-                     .refractive = 0.5 + unit()};
+                     .ior = 0.5 + unit()};
     add_sphere(scene, {3 * unit() - 1.5, 3 * unit() - 1.5, -1 - 3 * unit()}, 0.1 + 0.5 * unit(), m);
   }
-  add_sphere(scene, {0, 0, -2}, 0.8, {.reflection = 0.1, .refraction = 0.8, .refractive = 0.667});
+  add_sphere(scene, {0, 0, -2}, 0.8, {.reflection = 0.1, .refraction = 0.8, .ior = 0.667});
   add_sphere(scene, {0, 0, -2}, 0.4, {.diffuse = {1, 0, 0}});
   return scene;
 }
@@ -70,7 +70,7 @@ inline Scene mixed_scene(std::uint32_t resolution = 100) {
                                .shininess = 30,
                                .reflection = i % 3 == 0 ? 0.4 : 0,
                                .refraction = i % 5 == 0 ? 0.7 : 0,
-                               .refractive = 1.3});
+                               .ior = 1.3});
     if (i % 4 == 0) scene.spheres.push_back({{at, 0.05 + 0.2 * unit()}, material});
     if (i % 4 == 1) scene.triangles.push_back({{at, b, c}, material});
     if (i % 4 == 2)

@@ -54,33 +54,33 @@ TEST(ReadNumber, IsFromChars) {
   }
 }
 
-TEST(Places, CountCharactersOfUtf8) {
+TEST(TextPositions, CountCharactersOfUtf8) {
   const std::string text = "a\nčć x\r\ny";
-  Places places(text);
+  TextPositions places(text);
   EXPECT_EQ(places.at(0).line, 1u);
-  const Place x = places.at(text.find('x'));
+  const TextPosition x = places.at(text.find('x'));
   EXPECT_EQ(x.line, 2u);
   EXPECT_EQ(x.column, 4u);
   EXPECT_EQ(places.at(text.find('y')).line, 3u);
   EXPECT_EQ(places.at(0).column, 1u) << "going back works too";
 }
 
-TEST(Places, CountBytesOfOtherEncodings) {
+TEST(TextPositions, CountBytesOfOtherEncodings) {
   const std::string text = "\xE8\xE6 x";  // čć in Latin-2
-  EXPECT_EQ(Places(text).at(3).column, 4u);
+  EXPECT_EQ(TextPositions(text).at(3).column, 4u);
 }
 
-TEST(Places, ShowTheLineWithACaret) {
-  EXPECT_EQ(Places("one\n\ttwo, x\nthree").excerpt(10), "\ttwo, x\n\t     ^");
-  EXPECT_EQ(Places("čć x").excerpt(5), "čć x\n   ^");
+TEST(TextPositions, ShowTheLineWithACaret) {
+  EXPECT_EQ(TextPositions("one\n\ttwo, x\nthree").excerpt(10), "\ttwo, x\n\t     ^");
+  EXPECT_EQ(TextPositions("čć x").excerpt(5), "čć x\n   ^");
 }
 
-TEST(Places, CutLongLinesAndHideControls) {
+TEST(TextPositions, CutLongLinesAndHideControls) {
   const std::string text = std::string(200, 'a') + "X" + std::string(200, 'b') + "\x01";
-  const std::string excerpt = Places(text).excerpt(200);
+  const std::string excerpt = TextPositions(text).excerpt(200);
   EXPECT_EQ(excerpt, "…" + std::string(60, 'a') + "X" + std::string(39, 'b') + "…\n" +
                          std::string(61, ' ') + "^");
-  EXPECT_EQ(Places("\x01x").excerpt(1), "\uFFFDx\n ^");
+  EXPECT_EQ(TextPositions("\x01x").excerpt(1), "\uFFFDx\n ^");
 }
 
 TEST(Shown, CutsAndCleans) {

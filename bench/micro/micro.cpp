@@ -158,7 +158,7 @@ void count_items(benchmark::State& state, std::size_t each) {
                           static_cast<std::int64_t>(each));
 }
 
-/// Rays from around that are aimed at the shape's neighbourhood: those that meet it, or those that
+/// Rays from around that are aimed at the shape's neighbourhood: those that hit it, or those that
 /// do not.
 template <class Shape>
 void time_intersect(benchmark::State& state, const Probe& probe, Kind kind, bool hits) {
@@ -235,7 +235,7 @@ void add_traversals(const Probe& probe) {
 }
 
 /// The steps after traversal, on the tile in the middle of the sphereflake's picture; items are
-/// hits. Light is without feelers.
+/// hits. Light is without shadow rays.
 void add_steps(const Probe& probe) {
   enum Step { kSurfaces, kLight, kSpawn, kFold };
   const auto add = [&](const char* name, Step step) {

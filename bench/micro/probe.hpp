@@ -19,13 +19,13 @@ struct Probe {
   const char* isa = "";
   /// Distances of rays to one shape given by its frozen numbers, by kind of shape; 0 or less: none.
   void (*intersect[kKinds])(const float* shape, const Rays& rays, float* t) = {};
-  /// How many rays meet something.
+  /// How many rays hit something.
   std::size_t (*nearest)(const FrozenScene<float>& scene, const Rays& rays) = nullptr;
-  /// How many meet something before the distance `far`.
+  /// How many hit something before the distance `far`.
   std::size_t (*blocked)(const FrozenScene<float>& scene, const Rays& rays, float far) = nullptr;
   void (*power)(const float* x, const float* n, float* out, std::size_t count) = nullptr;
 
-  /// A tile's camera rays and what they meet. The steps after that may be repeated in this order.
+  /// A tile's camera rays and what they hit. The steps after that may be repeated in this order.
   void (*hits)(const FrozenScene<float>& scene, const TileRect& tile,
                Workspace<float>& workspace) = nullptr;
   void (*surfaces)(const FrozenScene<float>& scene, Workspace<float>& workspace) = nullptr;

@@ -45,7 +45,7 @@ std::string texture(const Material& m) {
     out.add("phong {:.9g} phong_size {:.9g} ", mean(m.specular), std::max(m.shininess, 1e-3));
   if (m.reflection > 0) out.add("reflection {:.9g} ", m.reflection);
   out.add("}} }}");
-  if (m.refraction > 0) out.add(" interior {{ ior {:.9g} }}", m.refractive);
+  if (m.refraction > 0) out.add(" interior {{ ior {:.9g} }}", m.ior);
   return out.str();
 }
 

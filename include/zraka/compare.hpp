@@ -58,8 +58,8 @@ std::vector<PixelPair> worst_pixels(const Image& a, const Image& b, double thres
 
 /// Structural similarity (Wang, Bovik, Sheikh, Simoncelli, "Image quality assessment: from error
 /// visibility to structural similarity", IEEE Transactions on Image Processing 13(4), 2004): the
-/// mean of their equation 13 over all places where their window of 11×11 pixels, a Gaussian with a
-/// standard deviation of 1.5, fits into the picture; K1 = 0.01, K2 = 0.03, a range of 1. It is
+/// mean of their equation 13 over all positions where their window of 11×11 pixels, a Gaussian with
+/// a standard deviation of 1.5, fits into the picture; K1 = 0.01, K2 = 0.03, a range of 1. It is
 /// computed from 0.299 R + 0.587 G + 0.114 B of values as a screen is given them, as the authors'
 /// program does. 1 where the pictures are equal; none where one side is shorter than 11 pixels.
 std::optional<double> structural_similarity(const Image& a, const Image& b);

@@ -3,8 +3,8 @@
 // it.
 //
 // A Float3 is the engine's own numbers, to the bit: a colour, or a vector in world directions.
-// Folded as docs/explain.md says, they give the picture's pixel bit for bit. Places and distances
-// are in the world's units.
+// Folded as docs/explain.md says, they give the picture's pixel bit for bit. Positions and
+// distances are in the world's units.
 #pragma once
 
 #include <array>
@@ -27,16 +27,16 @@ struct NamedShape {
 
 /// What a light does at a hit.
 enum class Reach {
-  lit,        ///< the feeler reaches it
-  unchecked,  ///< it lies before the surface, and the stage has no feelers
+  lit,        ///< the shadow ray reaches it
+  unchecked,  ///< it lies before the surface, and the stage has no shadow rays
   behind,     ///< L·N < 0: neither diffuse nor specular
-  blocked     ///< the feeler meets a shape before the light
+  blocked     ///< the shadow ray hits a shape before the light
 };
 
-/// Of the shapes that a feeler meets, the one nearest to the hit.
+/// Of the shapes that a shadow ray hits, the one nearest to the hit.
 struct Blocker {
   NamedShape shape;
-  double distance = 0;  ///< from the feeler's start
+  double distance = 0;  ///< from the shadow ray's start
 };
 
 /// One light at one hit. Terms that are not there were not added.
@@ -72,7 +72,7 @@ enum class Absence {
 
 struct Child {
   float share = 0;  ///< k1 or k2 as the fold takes it; 0 if there is no ray
-  int ray = -1;     ///< place in RayTree::rays; -1: none
+  int ray = -1;     ///< index in RayTree::rays; -1: none
   Absence absence = Absence::none;
 };
 
@@ -98,7 +98,7 @@ enum class RayKind { camera, reflected, refracted };
 struct ExplainedRay {
   RayKind kind = RayKind::camera;
   int depth = 0;
-  int parent = -1;    ///< place in RayTree::rays
+  int parent = -1;    ///< index in RayTree::rays
   double weight = 1;  ///< product of the shares on the way to the pixel
   Vec3 origin{};
   Float3 direction{};                 ///< unit length
@@ -134,7 +134,7 @@ struct Explanation {
 
 /// Pixels around one, as the picture has them.
 struct Neighbourhood {
-  std::uint32_t left = 0, top = 0;  ///< place in the picture of its upper left pixel
+  std::uint32_t left = 0, top = 0;  ///< position in the picture of its upper left pixel
   Image image;
 };
 

@@ -11,18 +11,18 @@ namespace zraka {
 
 /// How a shape can reach a pixel; bits of Influence::pixels.
 enum InfluenceBit : std::uint8_t {
-  kSeen = 1,          ///< a ray from the eye meets it
-  kMirrored = 2,      ///< a ray that has been reflected, and not refracted, meets it
-  kThroughGlass = 4,  ///< a ray that has been refracted, and not reflected, meets it
-  kBothWays = 8,      ///< a ray that has been reflected and refracted meets it
-  kShadow = 16        ///< a feeler meets it first: it shadows what some ray of the pixel meets
+  kSeen = 1,          ///< a ray from the eye hits it
+  kMirrored = 2,      ///< a ray that has been reflected, and not refracted, hits it
+  kThroughGlass = 4,  ///< a ray that has been refracted, and not reflected, hits it
+  kBothWays = 8,      ///< a ray that has been reflected and refracted hits it
+  kShadow = 16        ///< a shadow ray hits it first: it shadows what some ray of the pixel hits
 };
 
 /// Rays of one kind of way: those that were reflected and refracted in this order.
 struct InfluenceWay {
   std::vector<RayKind> path;  ///< without the ray from the eye; at most kInfluencePath of them
   bool longer = false;        ///< the path stands for all that begin like this and go on
-  bool shadow = false;        ///< it is the shape's shadow that is met
+  bool shadow = false;        ///< it is the shape's shadow that is hit
   std::uint64_t pixels = 0;   ///< that are reached this way
 };
 

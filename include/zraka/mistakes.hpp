@@ -18,7 +18,7 @@ enum class Mistake {
 /// A mistake as people and files call it.
 struct MistakeEntry {
   Mistake mistake;
-  std::string_view key;  ///< in rubrics and JSON: "feeler-unbounded"
+  std::string_view key;  ///< in rubrics and JSON: "shadow ray-unbounded"
   bool allowed;          ///< the sheet's wording allows it, so it costs no marks by default
   int first_stage;       ///< 1 to 7: the first of the lab's pictures that can show it
   std::string_view english, croatian;

@@ -51,7 +51,7 @@ struct QuizChoice {
 
 struct QuizQuestion {
   struct Shown {
-    std::size_t picture = 0;  ///< place in Quiz::pictures
+    std::size_t picture = 0;  ///< index in Quiz::pictures
     std::string caption;
   };
   QuizKind kind = QuizKind::stage;
@@ -59,7 +59,7 @@ struct QuizQuestion {
   std::vector<Shown> pictures{};
   std::vector<std::string> facts{};   ///< line by line, what a colour is to be computed from
   std::vector<QuizChoice> choices{};  ///< 2 to 4
-  std::size_t answer = 0;             ///< place of the right one in `choices`
+  std::size_t answer = 0;             ///< index of the right one in `choices`
   std::vector<std::string> reason{};  ///< why, in paragraphs
   std::string sums{};                 ///< of a colour: the tree's terms, line by line
   /// The pixel that is asked for, or which the reason speaks of: column and row from the upper left

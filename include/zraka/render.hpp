@@ -45,7 +45,7 @@ struct Profile {
   /// One ray more in each direction, and a pixel is the mean of its four corners.
   bool average_corners = false;
   bool clamp_levels = false;    ///< each component clamped to 0…1 at every level of the ray tree
-  bool index_is_ratio = false;  ///< Material::refractive is n1/n2 on entry, else the inside's index
+  bool index_is_ratio = false;  ///< Material::ior is n1/n2 on entry, else the inside's index
   bool mirror_when_total =
       true;  ///< total internal reflection reflects k2's share, else it is black
   Transfer transfer = Transfer::srgb;
@@ -79,8 +79,8 @@ struct RenderOptions {
   std::function<void(std::uint64_t, std::uint64_t, std::uint64_t)> progress{};
 };
 
-/// Rays of each kind and how many of them (feelers aside) met a shape. Camera rays are those that
-/// the picture asks for; where no shape can be seen, they are answered without being traced.
+/// Rays of each kind and how many of them (shadow rays aside) hit a shape. Camera rays are those
+/// that the picture asks for; where no shape can be seen, they are answered without being traced.
 struct RayCounts {
   std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0, hits = 0;
   std::uint64_t total() const { return camera + shadow + reflected + refracted; }

@@ -23,7 +23,7 @@ struct Material {
   double refraction = 0;         ///< k2, share of the refracted ray
   /// ni. The lab profile takes it as n1/n2 on entry (sheet 3.5), the physical profile as the index
   /// of refraction of what is inside.
-  double refractive = 1;
+  double ior = 1;
   friend bool operator==(const Material&, const Material&) = default;
 };
 
@@ -34,7 +34,7 @@ struct Object {
   std::uint32_t material = 0;
 };
 
-/// A shape of a scene: its kind, as its place in ZRAKA_SHAPES, and its place in Scene's list of
+/// A shape of a scene: its kind, as its index in ZRAKA_SHAPES, and its index in Scene's list of
 /// that kind.
 struct ShapeId {
   std::int32_t kind = 0;

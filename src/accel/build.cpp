@@ -33,7 +33,7 @@ constexpr std::size_t kChildTaskSize = 512;
 /// that bounds the traversal's stack, with five levels for 2^31 shapes and sixteen for kGridSize.
 constexpr int kFreeDepth = kMaxNodeDepth - 21;
 
-/// Nodes from many threads, before they have their places.
+/// Nodes from many threads, before they are laid out.
 class NodePool {
  public:
   std::int32_t add(const Node& node) {
@@ -68,7 +68,7 @@ class Builder {
         kinds_(kind_starts),
         rules_(rules_for(static_cast<std::size_t>(kind_starts.back()))) {}
 
-  /// The root's number in the pool; a leaf's child is its first reference's place.
+  /// The root's number in the pool; a leaf's child is its first reference's index.
   std::int32_t build(const Range& all);
   const NodePool& pool() const { return pool_; }
 
@@ -194,10 +194,10 @@ void Builder::set_child(Node& node, std::size_t i, const Collapse& collapse,
   }
 }
 
-/// Nodes into their places, depth first; leaves count their primitives by `place_in_kind`, if there
+/// Lays the nodes out, depth first; leaves count their primitives by `index_in_kind`, if there
 /// are several kinds.
-std::int32_t place(const NodePool& pool, std::int32_t from,
-                   const std::vector<std::int32_t>& place_in_kind, std::vector<Node>& nodes) {
+std::int32_t lay_out(const NodePool& pool, std::int32_t from,
+                     const std::vector<std::int32_t>& index_in_kind, std::vector<Node>& nodes) {
   const std::size_t at = nodes.size();
   nodes.push_back(pool[from]);
   set_sets(nodes[at]);
@@ -205,9 +205,9 @@ std::int32_t place(const NodePool& pool, std::int32_t from,
     const std::int32_t child = nodes[at].child[i];
     if (nodes[at].leaf[i] == kNoChild) continue;
     if (nodes[at].leaf[i] == 0)
-      nodes[at].child[i] = place(pool, child, place_in_kind, nodes);
-    else if (!place_in_kind.empty())
-      nodes[at].child[i] = place_in_kind[static_cast<std::size_t>(child)];
+      nodes[at].child[i] = lay_out(pool, child, index_in_kind, nodes);
+    else if (!index_in_kind.empty())
+      nodes[at].child[i] = index_in_kind[static_cast<std::size_t>(child)];
   }
   return static_cast<std::int32_t>(at);
 }
@@ -252,24 +252,24 @@ BuiltHierarchy build_hierarchy(BuildRefs refs, const std::vector<std::int32_t>& 
                     [before = kind_starts.front()](std::int32_t start) mutable {
                       return std::exchange(before, start) != start;
                     }));
-  std::vector<std::int32_t> place_in_kind;
+  std::vector<std::int32_t> index_in_kind;
   if (kinds > 1) {
-    place_in_kind.resize(built.order.size());
+    index_in_kind.resize(built.order.size());
     std::vector<std::int32_t> grouped(built.order.size());
-    if (grouped.size() < kHugeScene) built.place.resize(grouped.size());
+    if (grouped.size() < kHugeScene) built.rank.resize(grouped.size());
     std::vector<std::int32_t> next = kind_starts;
     for (std::size_t i = 0; i < built.order.size(); ++i) {
       std::size_t kind = 0;
       while (built.order[i] >= kind_starts[kind + 1]) ++kind;
-      place_in_kind[i] = next[kind] - kind_starts[kind];
-      if (!built.place.empty())
-        built.place[static_cast<std::size_t>(next[kind])] = static_cast<std::int32_t>(i);
+      index_in_kind[i] = next[kind] - kind_starts[kind];
+      if (!built.rank.empty())
+        built.rank[static_cast<std::size_t>(next[kind])] = static_cast<std::int32_t>(i);
       grouped[static_cast<std::size_t>(next[kind]++)] = built.order[i];
     }
     built.order = std::move(grouped);
   }
   built.nodes.reserve(builder.pool().size());
-  place(builder.pool(), root, place_in_kind, built.nodes);
+  lay_out(builder.pool(), root, index_in_kind, built.nodes);
   return built;
 }
 

@@ -43,7 +43,7 @@ class Bundle {
   ZRAKA_INLINE V3<F> origins(typename L::I rays) const { return of_each(0, rays); }
   ZRAKA_INLINE V3<F> directions(typename L::I rays) const { return of_each(3, rays); }
 
-  /// Pushes the children that some of the rays meet before their own t, of which `farthest` is the
+  /// Pushes the children that some of the rays hit before their own t, of which `farthest` is the
   /// greatest. Where rays are few, small leaves become pairs at once. Returns the bits of kinds
   /// that there are now enough pairs of for a register.
   template <class Stack>
@@ -67,11 +67,11 @@ class Bundle {
         continue;
       }
       alignas(64) R nearest[L::kWidth];
-      const std::uint32_t met = candidates(node, k, farthest, nearest);
-      if (count < kRegisters<L> * static_cast<std::size_t>(__builtin_popcount(met))) {
+      const std::uint32_t hit = candidates(node, k, farthest, nearest);
+      if (count < kRegisters<L> * static_cast<std::size_t>(__builtin_popcount(hit))) {
         push_ray_by_ray<true, false>(node, k, rays, t, stack, pairs);
       } else {
-        push_box_by_box(node, k, met, rays, t, nearest, stack);
+        push_box_by_box(node, k, hit, rays, t, nearest, stack);
         in_order = false;
       }
     }
@@ -107,7 +107,7 @@ class Bundle {
     F i_lower, i_upper;                               // bounds of the magnitudes of 1/direction
     bool back, same_side;
 
-    ZRAKA_INLINE Axis(const RayGroup<L>& rays, bool all_active, F V3<F>::* axis) {
+    ZRAKA_INLINE Axis(const RayGroup<L>& rays, bool all_active, F V3<F>::*axis) {
       const F far(kFarAway<R>);
       F bounds[4] = {far, far, far, far};
       for (std::size_t r = 0; r < kRegisters<L>; ++r) {
@@ -139,7 +139,7 @@ class Bundle {
     }
   };
 
-  /// Which of the boxes [k, k + kWidth) any of the rays may meet before `limit`, and bounds of
+  /// Which of the boxes [k, k + kWidth) any of the rays may hit before `limit`, and bounds of
   /// where they begin; for rays that go to the same sides.
   ZRAKA_INLINE std::uint32_t candidates(const Node& node, std::size_t k, R limit,
                                         R* nearest) const {
@@ -193,11 +193,11 @@ class Bundle {
     const Slab x = sides(x_, node.lower_x, node.upper_x);
     const Slab y = sides(y_, node.lower_y, node.upper_y);
     const Slab z = sides(z_, node.lower_z, node.upper_z);
-    I through(0);  // by box: the rays that meet it
+    I through(0);  // by box: the rays that hit it
     F nearest(kFarAway<R>);
     FewRays<L> few;
     std::size_t asked = 0;
-    std::uint32_t met_by_any = 0, kinds = 0;
+    std::uint32_t hit_by_any = 0, kinds = 0;
     for (std::uint32_t left = rays; left != 0; left &= left - 1, ++asked) {
       const auto i = static_cast<std::size_t>(__builtin_ctz(left));
       F enter[3], leave[3];
@@ -213,32 +213,32 @@ class Bundle {
       cut(x, 0), cut(y, 1), cut(z, 2);
       const F in = max(max(enter[0], enter[1]), max(enter[2], F(0)));
       const F out = min(min(leave[0], leave[1]), min(leave[2], F(t[i])));
-      const auto met = in <= out;
-      through = select(met, through + I(static_cast<std::int32_t>(1u << i)), through);
-      if constexpr (Stack::kOrdered) nearest = select(met, min(nearest, in), nearest);
+      const auto hit = in <= out;
+      through = select(hit, through + I(static_cast<std::int32_t>(1u << i)), through);
+      if constexpr (Stack::kOrdered) nearest = select(hit, min(nearest, in), nearest);
       if constexpr (kPairs) {
         few.ray[asked] = static_cast<std::int32_t>(i);
-        few.met[asked] = bits(met);
-        met_by_any |= few.met[asked];
+        few.hit[asked] = bits(hit);
+        hit_by_any |= few.hit[asked];
       }
     }
-    if constexpr (!kPairs) met_by_any = ~bits(through == I(0)) & kAllLanes;
+    if constexpr (!kPairs) hit_by_any = ~bits(through == I(0)) & kAllLanes;
     // A missing child's box is empty only as long as its sides are not turned round.
-    if (!kSameSides) met_by_any &= static_cast<std::uint32_t>(node.children >> k);
+    if (!kSameSides) hit_by_any &= static_cast<std::uint32_t>(node.children >> k);
     if constexpr (kPairs) {
       few.count = asked;
-      kinds = pair_small_leaves(node, k, few, met_by_any, pairs);
-      if (met_by_any == 0) return kinds;
+      kinds = pair_small_leaves(node, k, few, hit_by_any, pairs);
+      if (hit_by_any == 0) return kinds;
     }
-    stack.push_children(node, k, met_by_any, nearest, through);
+    stack.push_children(node, k, hit_by_any, nearest, through);
     return kinds;
   }
 
   /// Makes pairs of rays and the shapes of small leaves among the boxes [k, k + kWidth), as far as
-  /// they are among those that any of the rays have met, and takes them from these. Returns
+  /// they are among those that any of the rays have hit, and takes them from these. Returns
   /// what push_children() returns.
   ZRAKA_INLINE std::uint32_t pair_small_leaves(const Node& node, std::size_t k,
-                                               const FewRays<L>& rays, std::uint32_t& met,
+                                               const FewRays<L>& rays, std::uint32_t& hit,
                                                Pairs<L>& pairs) const {
     using I = typename L::I;
     const I first = L::load(node.child + k);
@@ -246,14 +246,14 @@ class Bundle {
     static_assert(kMostInSmallLeaf == 2);
     for (std::uint32_t left = node.small_kinds; left != 0; left &= left - 1) {
       const auto kind = static_cast<std::size_t>(__builtin_ctz(left));
-      const std::uint32_t one = met & static_cast<std::uint32_t>(node.small_leaves[kind][0] >> k);
-      const std::uint32_t two = met & static_cast<std::uint32_t>(node.small_leaves[kind][1] >> k);
+      const std::uint32_t one = hit & static_cast<std::uint32_t>(node.small_leaves[kind][0] >> k);
+      const std::uint32_t two = hit & static_cast<std::uint32_t>(node.small_leaves[kind][1] >> k);
       if ((one | two) == 0) continue;
       PairQueue<L>& queue = pairs.of_kind[kind];
       queue.add(rays, one | two, first);
       if (two != 0) queue.add(rays, two, first + I(1));
       if (queue.ready(false)) kinds |= 1u << kind;
-      met &= ~(one | two);
+      hit &= ~(one | two);
     }
     return kinds;
   }

@@ -29,11 +29,11 @@ Collapse::Collapse(const Range& range, int levels, const Kinds& kinds, const Col
   add(0, range, levels, false, {kinds, rules});
 }
 
-void Collapse::add(std::int32_t place, const Range& range, int levels, bool full_leaves,
+void Collapse::add(std::int32_t index, const Range& range, int levels, bool full_leaves,
                    const Plan& plan) {
   const CollapseRules& rules = plan.rules;
   const std::size_t size = range.size();
-  Part& part = parts_[static_cast<std::size_t>(place)];
+  Part& part = parts_[static_cast<std::size_t>(index)];
   part.begin = range.begin, part.end = range.end, part.bounds = range.bounds;
   part.left = part.right = 0;
   if (rules.full_leaves && !full_leaves && size >= kFullFrom && size <= kFullTo)
@@ -46,8 +46,8 @@ void Collapse::add(std::int32_t place, const Range& range, int levels, bool full
         size <= kFew && !one_kind
             ? plan.kinds.split(range)
             : split(range, full_leaves ? kNodeWidth : 1, levels <= kLastLevels);
-    part.left = place + 1;
-    part.right = place + static_cast<std::int32_t>(2 * left.size());
+    part.left = index + 1;
+    part.right = index + static_cast<std::int32_t>(2 * left.size());
     add_both(part, left, right, levels - 1, full_leaves, plan);
   }
   price(part, one_kind && size <= std::max(rules.most, whole), rules.node_cost);

@@ -63,11 +63,11 @@ class Collapse {
     const Kinds& kinds;
     const CollapseRules& rules;
   };
-  void add(std::int32_t place, const Range& range, int levels, bool full_leaves, const Plan& plan);
+  void add(std::int32_t index, const Range& range, int levels, bool full_leaves, const Plan& plan);
   void add_both(const Part& part, const Range& left, const Range& right, int levels,
                 bool full_leaves, const Plan& plan);
   void price(Part& part, bool can_be_leaf, float node_cost) const;
-  const Part& at(std::int32_t place) const { return parts_[static_cast<std::size_t>(place)]; }
+  const Part& at(std::int32_t index) const { return parts_[static_cast<std::size_t>(index)]; }
 
   template <class Function>
   void each_of(const Part& part, int children, const Function& function) const {
@@ -78,7 +78,7 @@ class Collapse {
     each_of(at(part.right), children - from_left, function);
   }
 
-  /// Whatever tasks do when, each part has its place: the parts of n references are at most 2n - 1,
+  /// Whatever tasks do when, each part has its index: the parts of n references are at most 2n - 1,
   /// the first half's next to their whole and the second half's behind those.
   std::unique_ptr<Part[]> parts_;
 };

@@ -44,7 +44,7 @@ ZRAKA_INLINE typename L::M blocked_by(const FrozenShapes<typename L::Real, Shape
   return blocked;
 }
 
-/// Which of the wanted rays meet anything nearer than their t.
+/// Which of the wanted rays hit anything nearer than their t.
 template <class L>
 ZRAKA_INLINE typename L::M blocked_in_list(const FrozenScene<typename L::Real>& scene,
                                            const RayLanes<L>& ray, typename L::M wanted) {

@@ -26,9 +26,9 @@ void put_in_place(const std::vector<Range>& parts, std::uint8_t* part_of) {
       if (to == i) continue;
       BuildRef moving = refs[at];
       do {
-        const std::size_t place = next[to]++;
-        std::swap(moving, refs[place]);
-        std::swap(to, part_of[place]);
+        const std::size_t position = next[to]++;
+        std::swap(moving, refs[position]);
+        std::swap(to, part_of[position]);
       } while (to != i);
       refs[at] = moving;
     }

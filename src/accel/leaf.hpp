@@ -39,7 +39,7 @@ ZRAKA_INLINE void each_ray_in_leaf(const FrozenScene<R>& scene, const Bundle<L>&
   });
 }
 
-/// What the rays of a group have met so far, in memory where each ray can be asked for.
+/// What the rays of a group have hit so far, in memory where each ray can be asked for.
 template <class L>
 struct Nearest {
   using R = typename L::Real;
@@ -56,10 +56,10 @@ struct Nearest {
       rays.ray[r].slot = L::load(slot + r * L::kWidth);
     }
   }
-  /// Ray i meets the shapes of the slots from `first` on at these distances. True if that is
+  /// Ray i hits the shapes of the slots from `first` on at these distances. True if that is
   /// another hit than before.
-  ZRAKA_INLINE bool meet(const FrozenScene<R>& scene, std::size_t i, std::int32_t first,
-                         typename L::F distance) {
+  ZRAKA_INLINE bool intersect(const FrozenScene<R>& scene, std::size_t i, std::int32_t first,
+                              typename L::F distance) {
     using F = typename L::F;
     const auto nearer = both(distance > F(0), distance <= F(t[i]));
     if (!any(nearer)) return false;
@@ -70,7 +70,7 @@ struct Nearest {
       changed |= keep(scene, i, first + __builtin_ctz(equal), least);
     return changed;
   }
-  /// Ray i meets the shape of one slot at a distance that is not greater than its t. True if that
+  /// Ray i hits the shape of one slot at a distance that is not greater than its t. True if that
   /// is another hit than before.
   ZRAKA_INLINE bool keep(const FrozenScene<R>& scene, std::size_t i, std::int32_t found,
                          R distance) {
@@ -81,26 +81,27 @@ struct Nearest {
     slot[i] = found;
     return true;
   }
-  /// A queue's first pairs meet, up to a register of them. True if any ray has another hit than
+  /// A queue's first pairs hit, up to a register of them. True if any ray has another hit than
   /// before.
   template <class Shape>
-  bool meet(const FrozenScene<R>& scene, const FrozenShapes<R, Shape>& shapes,
-            const Bundle<L>& bundle, PairQueue<L>& queue) {
+  bool intersect(const FrozenScene<R>& scene, const FrozenShapes<R, Shape>& shapes,
+                 const Bundle<L>& bundle, PairQueue<L>& queue) {
     using F = typename L::F;
-    const auto met = meet_pairs<L>(shapes, bundle, queue);
-    const auto nearer = both(met.distance > F(0), met.distance <= L::look_up(t, met.ray));
-    std::uint32_t lanes = bits(both(nearer, met.active));
+    const auto pairs_hit = intersect_pairs<L>(shapes, bundle, queue);
+    const auto nearer =
+        both(pairs_hit.distance > F(0), pairs_hit.distance <= L::look_up(t, pairs_hit.ray));
+    std::uint32_t lanes = bits(both(nearer, pairs_hit.active));
     if (lanes == 0) return false;
     alignas(64) R distance[L::kWidth];
     alignas(64) std::int32_t ray[L::kWidth];
-    L::store(met.distance, distance);
-    L::store(met.ray, ray);
+    L::store(pairs_hit.distance, distance);
+    L::store(pairs_hit.ray, ray);
     bool changed = false;
     for (; lanes != 0; lanes &= lanes - 1) {
       const int lane = __builtin_ctz(lanes);
       const auto i = static_cast<std::size_t>(ray[lane]);
       if (distance[lane] <= t[i])  // an earlier lane may hold the same ray
-        changed |= keep(scene, i, shapes.first_slot + met.shape[lane], distance[lane]);
+        changed |= keep(scene, i, shapes.first_slot + pairs_hit.shape[lane], distance[lane]);
     }
     return changed;
   }
@@ -124,7 +125,7 @@ ZRAKA_INLINE bool nearest_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& 
     const typename L::I before = ray.slot;
     with_kind(scene, leaf_kind(entry.leaf), [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
       for (std::int32_t i = 0; i < leaf_count(entry.leaf); ++i)
-        meet<L>(scene, shapes, entry.child + i, ray);
+        intersect_one<L>(scene, shapes, entry.child + i, ray);
     });
     if (all(ray.slot == before)) continue;
     nearest.take(ray, r);
@@ -134,7 +135,7 @@ ZRAKA_INLINE bool nearest_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& 
   bool more = false;
   each_ray_in_leaf<L>(scene, bundle, entry, one_by_one,
                       [&](std::size_t i, std::int32_t first, typename L::F distance) {
-                        if (nearest.meet(scene, i, first, distance)) more = true;
+                        if (nearest.intersect(scene, i, first, distance)) more = true;
                       });
   if (more) nearest.give(rays);
   return changed || more;
@@ -151,7 +152,7 @@ ZRAKA_INLINE bool nearest_of_pairs(const FrozenScene<R>& scene, const Bundle<L>&
     const std::int32_t kind = __builtin_ctz(kinds);
     if (PairQueue<L>& queue = pairs.of_kind[kind]; queue.ready(all))
       with_kind(scene, kind, [&](const auto& shapes) {
-        while (queue.ready(all)) changed |= nearest.meet(scene, shapes, bundle, queue);
+        while (queue.ready(all)) changed |= nearest.intersect(scene, shapes, bundle, queue);
       });
   }
   if (changed) nearest.give(rays);
@@ -164,20 +165,21 @@ struct LastBlocker {
   std::int32_t child = 0, leaf = 0;
 };
 
-/// A queue's first pairs meet, up to a register of them: the rays that are blocked nearer than
+/// A queue's first pairs hit, up to a register of them: the rays that are blocked nearer than
 /// their t, a bit each.
 template <class L, class Shape, class R = typename L::Real>
 std::uint32_t blocked_in_queue(const FrozenShapes<R, Shape>& shapes, std::int32_t kind,
                                const Bundle<L>& bundle, PairQueue<L>& queue, const R* t,
                                LastBlocker& last) {
   using F = typename L::F;
-  const auto met = meet_pairs<L>(shapes, bundle, queue);
-  const auto nearer = both(met.distance > F(0), met.distance < L::look_up(t, met.ray));
-  std::uint32_t lanes = bits(both(nearer, met.active)), blocked = 0;
+  const auto pairs_hit = intersect_pairs<L>(shapes, bundle, queue);
+  const auto nearer =
+      both(pairs_hit.distance > F(0), pairs_hit.distance < L::look_up(t, pairs_hit.ray));
+  std::uint32_t lanes = bits(both(nearer, pairs_hit.active)), blocked = 0;
   if (lanes == 0) return 0;
   alignas(64) std::int32_t ray[L::kWidth];
-  L::store(met.ray, ray);
-  last = {met.shape[__builtin_ctz(lanes)], leaf_of(1, kind)};
+  L::store(pairs_hit.ray, ray);
+  last = {pairs_hit.shape[__builtin_ctz(lanes)], leaf_of(1, kind)};
   for (; lanes != 0; lanes &= lanes - 1) blocked |= 1u << ray[__builtin_ctz(lanes)];
   return blocked;
 }
@@ -199,7 +201,7 @@ ZRAKA_INLINE std::uint32_t blocked_by_pairs(const FrozenScene<R>& scene, const B
   return blocked;
 }
 
-/// Which of the rays meet a shape of the entry's leaf nearer than their t; `t` has the same as the
+/// Which of the rays hit a shape of the entry's leaf nearer than their t; `t` has the same as the
 /// group.
 template <class L, class R = typename L::Real>
 ZRAKA_INLINE std::uint32_t blocked_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& bundle,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs of a ray and a shape that have still to meet: where few rays of a bundle come to a leaf of
+// Pairs of a ray and a shape that have still to hit: where few rays of a bundle come to a leaf of
 // few shapes, neither fill a register, but pairs from several leaves do.
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace zraka::ZRAKA_ISA {
 
-/// What few rays of a bundle have met of a node's children.
+/// What few rays of a bundle have hit of a node's children.
 template <class L>
 struct FewRays {
   /// For so few rays what all have in common costs as much as each ray's own test.
   static constexpr std::size_t kMost = 6;
   std::int32_t ray[kMost];   ///< its number in the bundle
-  std::uint32_t met[kMost];  ///< a bit for each lane's child
+  std::uint32_t hit[kMost];  ///< a bit for each lane's child
   std::size_t count = 0;
 };
 
@@ -50,13 +50,13 @@ class PairQueue {
     end_ = end;
   }
 
-  /// Adds each of the rays with those shapes in lanes that are among `wanted` and that it has met:
+  /// Adds each of the rays with those shapes in lanes that are among `wanted` and that it has hit:
   /// those of one node, before which there must be less than a register of others.
   ZRAKA_INLINE void add(const FewRays<L>& rays, std::uint32_t wanted, typename L::I shapes) {
     make_room();
     std::size_t end = end_;
     for (std::size_t r = 0; r < rays.count; ++r) {
-      const std::uint32_t lanes = rays.met[r] & wanted;
+      const std::uint32_t lanes = rays.hit[r] & wanted;
       L::store(typename L::I(rays.ray[r]), ray_ + end);
       L::compress_store(shapes, L::from_bits(lanes), shape_ + end);
       end += static_cast<std::size_t>(__builtin_popcount(lanes));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs of a ray and a shape as they meet, a lane each.
+// Pairs of a ray and a shape as they hit, a lane each.
 #pragma once
 
 #include "accel/bundle.hpp"
@@ -28,7 +28,7 @@ ZRAKA_INLINE void gather_shapes(const FrozenShapes<typename L::Real, Shape>& sha
 /// Up to a register of pairs.
 template <class L>
 struct MetPairs {
-  typename L::F distance;  ///< not positive, or NaN, where they do not meet
+  typename L::F distance;  ///< not positive, or NaN, where they do not hit
   typename L::I ray;
   typename L::M active;       ///< the lanes that hold a pair
   const std::int32_t* shape;  ///< of each lane; until the next pairs are added
@@ -36,8 +36,8 @@ struct MetPairs {
 
 /// Takes the first pairs of a queue.
 template <class L, class Shape>
-ZRAKA_INLINE MetPairs<L> meet_pairs(const FrozenShapes<typename L::Real, Shape>& shapes,
-                                    const Bundle<L>& bundle, PairQueue<L>& queue) {
+ZRAKA_INLINE MetPairs<L> intersect_pairs(const FrozenShapes<typename L::Real, Shape>& shapes,
+                                         const Bundle<L>& bundle, PairQueue<L>& queue) {
   using I = typename L::I;
   const auto taken = queue.take();
   const typename L::M active = L::first(taken.count);

@@ -52,9 +52,9 @@ Bins binned(const BuildRef* begin, const BuildRef* end, const Binning& binning) 
   Bins bins(binning.count);
   for (const BuildRef* r = begin; r != end; ++r) {
     const Four lower = lower_of(*r), upper = upper_of(*r);
-    const FourInts places = binning.bins_of(lower, upper);
+    const FourInts bin_indices = binning.bins_of(lower, upper);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      Bin& bin = bins.at(axis, static_cast<std::size_t>(places[static_cast<int>(axis)]));
+      Bin& bin = bins.at(axis, static_cast<std::size_t>(bin_indices[static_cast<int>(axis)]));
       bin.bounds.include(lower, upper);
       ++bin.count;
     }

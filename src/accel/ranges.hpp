@@ -69,7 +69,7 @@ struct Range {
   BuildRef *begin, *end;
   Bounds bounds, centers;
   std::size_t size() const { return static_cast<std::size_t>(end - begin); }
-  /// What it costs to meet all of it, by the surface area heuristic.
+  /// What it costs to hit all of it, by the surface area heuristic.
   float cost() const { return bounds.half_area() * static_cast<float>(size()); }
 };
 
@@ -95,8 +95,8 @@ struct Binning {
     }
   }
   FourInts bins_of(Four lower, Four upper) const {
-    const Four place = smaller((lower + upper - from) * scale, last);
-    return __builtin_convertvector(larger(place, Four{}), FourInts);
+    const Four bin = smaller((lower + upper - from) * scale, last);
+    return __builtin_convertvector(larger(bin, Four{}), FourInts);
   }
 };
 

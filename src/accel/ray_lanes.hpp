@@ -63,7 +63,7 @@ ZRAKA_INLINE std::uint32_t in_register(std::uint32_t rays, std::size_t r) {
   return rays & kOne << (r * L::kWidth);
 }
 
-/// Which rays are rays at all: what overflows on its way becomes no number, and meets nothing.
+/// Which rays are rays at all: what overflows on its way becomes no number, and hits nothing.
 template <class L>
 ZRAKA_INLINE typename L::M are_numbers(const RayLanes<L>& ray) {
   const typename L::F zero = (ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x +
@@ -82,7 +82,7 @@ ZRAKA_INLINE void with_kind(const FrozenScene<R>& scene, std::int32_t kind,
 #undef ZRAKA_IF
 }
 
-/// The place in the scene as it was read of a slot's primitive.
+/// The index in the scene as it was read of a slot's primitive.
 template <class R>
 ZRAKA_INLINE std::int32_t id_of(const FrozenScene<R>& scene, std::int32_t slot) {
 #define ZRAKA_IF(Type, plural)                                                         \
@@ -113,9 +113,9 @@ ZRAKA_INLINE void load_shapes(const FrozenShapes<typename L::Real, Shape>& shape
 /// Tests one shape against the rays in lanes; a nearer hit, or an equal one of a lower id, replaces
 /// theirs.
 template <class L, class Shape>
-ZRAKA_INLINE void meet(const FrozenScene<typename L::Real>& scene,
-                       const FrozenShapes<typename L::Real, Shape>& shapes, std::int32_t i,
-                       RayLanes<L>& ray) {
+ZRAKA_INLINE void intersect_one(const FrozenScene<typename L::Real>& scene,
+                                const FrozenShapes<typename L::Real, Shape>& shapes, std::int32_t i,
+                                RayLanes<L>& ray) {
   using F = typename L::F;
   F shape[ShapeTraits<Shape>::kHitReals];
   broadcast_shape<L>(shapes, i, shape);

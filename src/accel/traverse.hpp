@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Through the scene, a group of rays at a time: in the hierarchy they go down together, and each
-// child is visited by those that meet its box.
+// child is visited by those that hit its box.
 #pragma once
 
 #include "accel/flat_list.hpp"
@@ -9,7 +9,7 @@
 namespace zraka::ZRAKA_ISA {
 
 /// Leaves out the rays that are no rays, and puts an end before all others that are not active:
-/// these meet nothing. Returns the bits of those that are left.
+/// these hit nothing. Returns the bits of those that are left.
 template <class L>
 ZRAKA_INLINE std::uint32_t start(RayGroup<L>& rays) {
   std::uint32_t active = 0;
@@ -60,7 +60,7 @@ void nearest_in_hierarchy(const FrozenScene<R>& scene, RayGroup<L>& rays) {
   nearest.give(rays);
 }
 
-/// Which of the active rays meet anything nearer than their t, a bit each. Their t is lost.
+/// Which of the active rays hit anything nearer than their t, a bit each. Their t is lost.
 template <class L, class R = typename L::Real>
 std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& last,
                                    RayGroup<L>& rays) {
@@ -119,7 +119,7 @@ ZRAKA_INLINE void find_nearest(const FrozenScene<typename L::Real>& scene, RayGr
   }
 }
 
-/// Which of the active rays meet anything nearer than their t, a bit each, by whichever structure
+/// Which of the active rays hit anything nearer than their t, a bit each, by whichever structure
 /// the scene has. Their t is lost.
 template <class L>
 ZRAKA_INLINE std::uint32_t find_blocked(const FrozenScene<typename L::Real>& scene,

@@ -58,7 +58,8 @@ void filter_with(const std::vector<Real>& taps, From from, std::size_t count, Re
 /// out[x] = Σ taps[k]·in[x + k] for x < count; `in` holds count + taps.size() - 1 values.
 template <class Real>
 void filter_row(const std::vector<Real>& taps, const Real* in, std::size_t count, Real* out) {
-  filter_with(taps, [in](std::size_t k) { return in + k; }, count, out);
+  filter_with(
+      taps, [in](std::size_t k) { return in + k; }, count, out);
 }
 
 /// out[x] = Σ taps[k]·row(k)[x] for x < count.

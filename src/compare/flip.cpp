@@ -278,7 +278,8 @@ void StripMaker::filter(const Plane& channel, const Taps& across, const Taps& do
     filter_row(across, channel.row(skip_y + y) + skip_x, width_, across_.row(y));
   for (std::size_t y = 0; y < rows; ++y) {
     float* const row = add ? part_.row(0) : out.row(y);
-    filter_rows(down, [&](std::size_t k) { return across_.row(y + k); }, width_, row);
+    filter_rows(
+        down, [&](std::size_t k) { return across_.row(y + k); }, width_, row);
     if (add)
       for (std::size_t x = 0; x < width_; ++x) out.row(y)[x] += row[x];
   }

@@ -54,7 +54,7 @@ std::optional<double> structural_similarity(const Image& a, const Image& b) {
     if (y + 1 < kWindow) continue;
 
     const std::size_t top = y + 1 - kWindow;
-    const auto down = [&](std::vector<double> Means::* plane) {
+    const auto down = [&](std::vector<double> Means::*plane) {
       filter_rows(
           window, [&](std::size_t k) { return (ring[(top + k) % kWindow].*plane).data(); }, width,
           (mean.*plane).data());

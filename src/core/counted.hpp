@@ -14,7 +14,7 @@ enum class Counted {
   pixel,
   ray,
   eye_ray,
-  feeler,
+  shadow_ray,
   reflected,
   refracted,
   color,

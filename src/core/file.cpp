@@ -70,7 +70,7 @@ Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
   if (descriptor < 0)
     return failure(path, fmt::format("cannot be read: {}", reason()),
                    errno == ENOENT ? "is the name right, and the folder?" : "");
-  struct stat status{};
+  struct stat status {};
   const bool known = ::fstat(descriptor, &status) == 0;
   const auto refuse = [&](const std::string& message) {
     ::close(descriptor);
@@ -108,7 +108,7 @@ Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
 Result<FileText> FileText::open(const std::string& path, std::uint64_t limit) {
   constexpr off_t kLarge = off_t{1} << 24;
   FileText file;
-  struct stat status{};
+  struct stat status {};
   if (path != "-" && ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) &&
       status.st_size >= kLarge && static_cast<std::uint64_t>(status.st_size) <= limit) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -167,7 +167,7 @@ Result<NewFile> NewFile::create(const std::string& path) {
     file.path_ = std::filesystem::path(path).replace_filename(std::filesystem::read_symlink(path));
   if (!error && std::filesystem::is_directory(target, error))
     return failure(path, "cannot be written: it is a folder");
-  struct stat old{};
+  struct stat old {};
   const bool exists = ::stat(file.path_.c_str(), &old) == 0;
   if (exists && !S_ISREG(old.st_mode)) {
     // A device or a pipe (/dev/stdout, /dev/null) cannot be replaced; it is written as it stands.

@@ -136,7 +136,7 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
-Place Places::at(std::size_t position) {
+TextPosition TextPositions::at(std::size_t position) {
   if (!utf8_) utf8_ = is_utf8(text_);
   position = std::min(position, text_.size());
   if (position < position_) position_ = 0, place_ = {};
@@ -149,7 +149,7 @@ Place Places::at(std::size_t position) {
   return place_;
 }
 
-std::string Places::excerpt(std::size_t position) const {
+std::string TextPositions::excerpt(std::size_t position) const {
   constexpr std::size_t kBefore = 60, kAfter = 40;
   position = std::min(position, text_.size());
   // Back to the line's start, but not too far; a cut character is left out.

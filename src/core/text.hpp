@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text as people wrote it: numbers, characters, places in a file.
+// Text as people wrote it: numbers, characters, lines and columns.
 #pragma once
 
 #include <cstddef>
@@ -25,15 +25,15 @@ bool is_utf8(std::string_view text);
 
 /// Line and column, from 1, of a byte of a text. Columns count characters, or bytes in a text that
 /// is no UTF-8.
-struct Place {
+struct TextPosition {
   std::size_t line = 1, column = 1;
 };
 
-/// Finds places in a text; quick where the positions asked for grow.
-class Places {
+/// Finds lines and columns in a text; quick where the positions asked for grow.
+class TextPositions {
  public:
-  explicit Places(std::string_view text) : text_(text) {}
-  Place at(std::size_t position);
+  explicit TextPositions(std::string_view text) : text_(text) {}
+  TextPosition at(std::size_t position);
   /// The line around a position, at most about 100 characters of it, controls and broken characters
   /// replaced; below it a caret.
   std::string excerpt(std::size_t position) const;
@@ -41,8 +41,8 @@ class Places {
  private:
   std::string_view text_;
   std::optional<bool> utf8_;
-  std::size_t position_ = 0;  ///< where the last place was
-  Place place_;
+  std::size_t position_ = 0;  ///< where the last one was
+  TextPosition place_;
 };
 
 /// Text as it can be shown on one line: as excerpt() does it, line ends as ↵, cut after 60

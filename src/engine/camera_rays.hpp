@@ -23,7 +23,7 @@ ZRAKA_INLINE V3<typename L::F> broadcast(const V3<R>& v) {
 template <class L, class R = typename L::Real>
 void make_camera_rays(const FrozenCamera<R>& camera, const TileRect& tile, Level<R>& level) {
   using F = typename L::F;
-  // The pixels' places wait where the directions will stand.
+  // The pixels' coordinates wait where the directions will stand.
   std::size_t count = 0;
   each_pixel(tile, [&](std::int32_t x, std::int32_t y) {
     level.rays.dx[count] = static_cast<R>(tile.x + x);

@@ -70,12 +70,12 @@ struct Scratch {
   R *nx, *ny, *nz;     ///< unit normal towards the viewer
   R *vx, *vy, *vz;     ///< unit direction to the viewer
   R* offset;           ///< how far along the normal the next rays start
-  R* inside;           ///< 1 where the ray met the surface from inside, else 0
+  R* inside;           ///< 1 where the ray hit the surface from inside, else 0
   std::int32_t* material;
   R *lx, *ly, *lz;  ///< unit direction to the light at hand
   R* lit;           ///< 1 where the light at hand reaches the hit, else 0
-  R *fox, *foy, *foz, *fdx, *fdy, *fdz, *fdistance;  ///< by feeler
-  std::int32_t* feeler_hit;
+  R *sox, *soy, *soz, *sdx, *sdy, *sdz, *sdistance;  ///< by shadow ray
+  std::int32_t* shadow_ray_hit;
 };
 
 /// One thread's memory, made once and used for tile after tile (render/workspace.hpp).
@@ -88,7 +88,7 @@ struct Workspace {
 
 /// What the steps compute on their way and keep nowhere else, by hit. A vector or a colour takes
 /// three.
-enum class Term {
+enum class Quantity {
   // Once for each light. The diffuse and the specular term are those of the lit hits only.
   to_light,  ///< L, unit length
   light_distance = to_light + 3,
@@ -112,18 +112,18 @@ enum class Term {
 /// Where a Record puts the terms, and whom it tells: one batch at a time, in the order of tracing.
 template <class R>
 struct Recording {
-  R* terms[static_cast<int>(Term::count)];  ///< batch values each
-  R* blocker_t;           ///< by feeler: distance to the nearest shape before the light
-  std::int32_t* blocker;  ///< by feeler: its slot; -1: none
+  R* terms[static_cast<int>(Quantity::count)];  ///< batch values each
+  R* blocker_t;           ///< by shadow ray: distance to the nearest shape before the light
+  std::int32_t* blocker;  ///< by shadow ray: its slot; -1: none
   bool stop = false;      ///< set by the reader: no more levels, the rest is not wanted
 
   void* reader;
   /// Nearest hits and surfaces of the level's batch are known; level.hits has the ambient terms.
   void (*at_hits)(void* reader, const Level<R>& level, const Scratch<R>& scratch);
-  /// So are a light's terms; scratch.lit and the feelers are that light's.
-  void (*at_light)(void* reader, std::int32_t light, std::size_t feelers, const Level<R>& level,
+  /// So are a light's terms; scratch.lit and the shadow rays are that light's.
+  void (*at_light)(void* reader, std::int32_t light, std::size_t shadow_rays, const Level<R>& level,
                    const Scratch<R>& scratch);
-  /// Shares and places of the children in `next` are known. Not called where a batch has none.
+  /// Shares and indices of the children in `next` are known. Not called where a batch has none.
   void (*at_children)(void* reader, const Level<R>& level, const Level<R>& next);
   /// The level's batch has its colours: the rays [done - in_batch, done).
   void (*at_fold)(void* reader, const Level<R>& level);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/engine.hpp"
-#include "engine/places.hpp"
+#include "engine/indices.hpp"
 #include "engine/record.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -17,9 +17,9 @@ ZRAKA_INLINE V3<typename L::F> add_child(const V3<typename L::F>& sum, const R* 
   const I child = L::load(children);
   const auto there = child >= I(0);
   if (!any(there)) return sum;
-  const Places<L> place(select(there, child, I(0)));
+  const Indices<L> children_of(select(there, child, I(0)));
   const F share = L::load(shares);
-  const V3<F> color{place.load(rays.r), place.load(rays.g), place.load(rays.b)};
+  const V3<F> color{children_of.load(rays.r), children_of.load(rays.g), children_of.load(rays.b)};
   const V3<F> more = sum + color * share;
   return {select(there, more.x, sum.x), select(there, more.y, sum.y), select(there, more.z, sum.z)};
 }
@@ -40,13 +40,13 @@ void fold(const TraceSettings& settings, Level<R>& level, const Level<R>* next,
       color = add_child<L>(color, hits.reflection + h, hits.reflected + h, next->rays);
       color = add_child<L>(color, hits.refraction + h, hits.refracted + h, next->rays);
     }
-    record.keep(Term::unclamped, h, color);
+    record.keep(Quantity::unclamped, h, color);
     if (settings.clamp_levels) {
       const auto clamp = [](const F& c) { return min(max(c, F(0)), F(1)); };
       color = {clamp(color.x), clamp(color.y), clamp(color.z)};
     }
     const auto exists = L::first(n - h);
-    const Places<L> ray(L::load(hits.ray + h) + I(level.done));
+    const Indices<L> ray(L::load(hits.ray + h) + I(level.done));
     ray.store(color.x, exists, level.rays.r);
     ray.store(color.y, exists, level.rays.g);
     ray.store(color.z, exists, level.rays.b);

@@ -7,21 +7,21 @@
 
 #include "accel/traverse.hpp"
 #include "engine/engine.hpp"
+#include "engine/indices.hpp"
 #include "engine/load_rays.hpp"
-#include "engine/places.hpp"
 #include "engine/rules.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
 /// Puts hits on the same primitive beside each other, and those on primitives that stand together
-/// in the hierarchy near each other: so do their feelers and children begin, and the lanes of a
-/// register share their material. Nothing computed for a hit depends on its place.
+/// in the hierarchy near each other: so do their shadow rays and children begin, and the lanes of a
+/// register share their material. Nothing computed for a hit depends on its position.
 template <class R>
 void sort_hits(const Hierarchy& hierarchy, const Scratch<R>& scratch, std::size_t n,
                std::int32_t* rays) {
   const auto key = [&](std::int32_t ray) {
     const std::int32_t slot = scratch.slot[ray];
-    return hierarchy.place != nullptr ? hierarchy.place[slot] : slot;
+    return hierarchy.rank != nullptr ? hierarchy.rank[slot] : slot;
   };
   std::int32_t first = key(rays[0]), last = first;
   for (std::size_t i = 1; i < n; ++i) {
@@ -32,16 +32,16 @@ void sort_hits(const Hierarchy& hierarchy, const Scratch<R>& scratch, std::size_
   int shift = 0;
   while ((last - first) >> shift >= kBuckets) ++shift;
   const auto bucket = [&](std::int32_t ray) { return (key(ray) - first) >> shift; };
-  std::int32_t place[kBuckets] = {};
-  for (std::size_t i = 0; i < n; ++i) ++place[bucket(rays[i])];
+  std::int32_t position[kBuckets] = {};
+  for (std::size_t i = 0; i < n; ++i) ++position[bucket(rays[i])];
   std::int32_t before = 0;
-  for (std::int32_t& p : place) before += std::exchange(p, before);
-  std::int32_t* const sorted = scratch.feeler_hit;  // not in use yet
-  for (std::size_t i = 0; i < n; ++i) sorted[place[bucket(rays[i])]++] = rays[i];
+  for (std::int32_t& p : position) before += std::exchange(p, before);
+  std::int32_t* const sorted = scratch.shadow_ray_hit;  // not in use yet
+  for (std::size_t i = 0; i < n; ++i) sorted[position[bucket(rays[i])]++] = rays[i];
   std::copy(sorted, sorted + n, rays);
 }
 
-/// Finds what each ray of the batch meets, lists those that meet something in hits.ray, and gives
+/// Finds what each ray of the batch hits, lists those that hit something in hits.ray, and gives
 /// the others the background's colour.
 template <class L, class R = typename L::Real, class Ruling = Rules>
 void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scratch,
@@ -55,14 +55,14 @@ void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scr
     RayGroup<L> rays(first, n, [&](std::size_t i) { return load_rays<L>(level.rays, begin + i); });
     rules.template find_nearest<L>(scene, rays);
     each_register(rays, first, n, [&](std::size_t i, const RayLanes<L>& ray, typename L::M active) {
-      const auto met = both(ray.slot >= I(0), active);
+      const auto hit = both(ray.slot >= I(0), active);
       L::store(ray.t, scratch.t + i);
       L::store(ray.slot, scratch.slot + i);
       L::store(F(scene.background.x), level.rays.r + begin + i);
       L::store(F(scene.background.y), level.rays.g + begin + i);
       L::store(F(scene.background.z), level.rays.b + begin + i);
-      L::compress_store(L::iota(static_cast<std::int32_t>(i)), met, level.hits.ray + hits);
-      hits += count(met);
+      L::compress_store(L::iota(static_cast<std::int32_t>(i)), hit, level.hits.ray + hits);
+      hits += count(hit);
     });
   }
   level.hit_count = static_cast<std::int32_t>(hits);
@@ -111,7 +111,8 @@ void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R
           *oz = level.rays.oz + level.done, *dx = level.rays.dx + level.done,
           *dy = level.rays.dy + level.done, *dz = level.rays.dz + level.done;
   for (std::size_t h = 0; h < n; h += L::kWidth) {
-    const Places<L> ray(select(L::first(n - h), L::load(level.hits.ray + h), I(level.hits.ray[h])));
+    const Indices<L> ray(
+        select(L::first(n - h), L::load(level.hits.ray + h), I(level.hits.ray[h])));
     const V3<F> origin{ray.load(ox), ray.load(oy), ray.load(oz)};
     const V3<F> direction{ray.load(dx), ray.load(dy), ray.load(dz)};
     const V3<F> point = origin + direction * ray.load(scratch.t);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Local light: Phong's model with shadow feelers (sheet 3.3).
+// Local light: Phong's model with shadow rays (sheet 3.3).
 #pragma once
 
 #include "accel/traverse.hpp"
 #include "engine/camera_rays.hpp"
 #include "engine/engine.hpp"
+#include "engine/indices.hpp"
 #include "engine/load_rays.hpp"
-#include "engine/places.hpp"
 #include "engine/record.hpp"
 #include "engine/rules.hpp"
 
@@ -64,50 +64,55 @@ ZRAKA_INLINE V3<typename L::F> load_normal(const Scratch<R>& scratch, std::size_
   return {L::load(scratch.nx + h), L::load(scratch.ny + h), L::load(scratch.nz + h)};
 }
 
-/// Feelers from the hits that face the light; scratch.lit says which hits face it.
+/// Shadow rays from the hits that face the light; scratch.lit says which hits face it.
 template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
-std::size_t make_feelers(const FrozenLight<R>& light, std::size_t n, Scratch<R>& scratch,
-                         const Recorder& record = {}, const Ruling& rules = {}) {
+std::size_t make_shadow_rays(const FrozenLight<R>& light, std::size_t n, Scratch<R>& scratch,
+                             const Recorder& record = {}, const Ruling& rules = {}) {
   using F = typename L::F;
-  std::size_t feelers = 0;
+  std::size_t shadow_rays = 0;
   for (std::size_t h = 0; h < n; h += L::kWidth) {
     const V3<F> normal = load_normal<L>(scratch, h);
     const ToLight<L> light_way = towards<L>(light, scratch, h, rules);
     const F l_n = dot(light_way.direction, normal);
     const auto facing = both(rules.faces(l_n), L::first(n - h));
-    record.keep(Term::to_light, h, light_way.direction);
-    record.keep(Term::light_distance, h, light_way.distance);
-    record.keep(Term::l_n, h, l_n);
+    record.keep(Quantity::to_light, h, light_way.direction);
+    record.keep(Quantity::light_distance, h, light_way.distance);
+    record.keep(Quantity::l_n, h, l_n);
     const F offset = L::load(scratch.offset + h);
     L::store(light_way.direction.x, scratch.lx + h);
     L::store(light_way.direction.y, scratch.ly + h);
     L::store(light_way.direction.z, scratch.lz + h);
     L::store(select(facing, F(1), F(0)), scratch.lit + h);
-    L::compress_store(L::load(scratch.px + h) + normal.x * offset, facing, scratch.fox + feelers);
-    L::compress_store(L::load(scratch.py + h) + normal.y * offset, facing, scratch.foy + feelers);
-    L::compress_store(L::load(scratch.pz + h) + normal.z * offset, facing, scratch.foz + feelers);
-    L::compress_store(light_way.direction.x, facing, scratch.fdx + feelers);
-    L::compress_store(light_way.direction.y, facing, scratch.fdy + feelers);
-    L::compress_store(light_way.direction.z, facing, scratch.fdz + feelers);
-    L::compress_store(rules.feeler_length(light_way.distance), facing, scratch.fdistance + feelers);
-    L::compress_store(L::iota(static_cast<std::int32_t>(h)), facing, scratch.feeler_hit + feelers);
-    feelers += count(facing);
+    L::compress_store(L::load(scratch.px + h) + normal.x * offset, facing,
+                      scratch.sox + shadow_rays);
+    L::compress_store(L::load(scratch.py + h) + normal.y * offset, facing,
+                      scratch.soy + shadow_rays);
+    L::compress_store(L::load(scratch.pz + h) + normal.z * offset, facing,
+                      scratch.soz + shadow_rays);
+    L::compress_store(light_way.direction.x, facing, scratch.sdx + shadow_rays);
+    L::compress_store(light_way.direction.y, facing, scratch.sdy + shadow_rays);
+    L::compress_store(light_way.direction.z, facing, scratch.sdz + shadow_rays);
+    L::compress_store(rules.shadow_ray_length(light_way.distance), facing,
+                      scratch.sdistance + shadow_rays);
+    L::compress_store(L::iota(static_cast<std::int32_t>(h)), facing,
+                      scratch.shadow_ray_hit + shadow_rays);
+    shadow_rays += count(facing);
   }
-  return feelers;
+  return shadow_rays;
 }
 
-/// Puts out the hits whose feeler meets a shape before the light.
+/// Marks as occluded the hits whose shadow ray hits a shape before the light.
 template <class L, class R = typename L::Real>
-void trace_feelers(const FrozenScene<R>& scene, std::size_t feelers, Scratch<R>& scratch) {
+void trace_shadow_rays(const FrozenScene<R>& scene, std::size_t shadow_rays, Scratch<R>& scratch) {
   using F = typename L::F;
   LastBlocker last;
-  for (std::size_t first = 0; first < feelers; first += RayGroup<L>::kRays) {
-    RayGroup<L> rays = group_of_feelers<L>(scratch, first, feelers);
+  for (std::size_t first = 0; first < shadow_rays; first += RayGroup<L>::kRays) {
+    RayGroup<L> rays = group_of_shadow_rays<L>(scratch, first, shadow_rays);
     const std::uint32_t blocked = find_blocked<L>(scene, last, rays);
     if (blocked == 0) continue;
     for (std::size_t r = 0; r < kRegisters<L>; ++r)
       if (const auto lanes = lanes_of<L>(blocked, r); any(lanes))
-        Places<L>(L::load(scratch.feeler_hit + first + r * L::kWidth))
+        Indices<L>(L::load(scratch.shadow_ray_hit + first + r * L::kWidth))
             .store(F(0), lanes, scratch.lit);
   }
 }
@@ -134,7 +139,7 @@ void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const T
         blocked);
     if (terms.diffuse) {
       const V3<F> diffuse = intensity * material.color(kDiffuse) * rules.diffuse_factor(l_n);
-      record.keep(Term::diffuse, h, diffuse);
+      record.keep(Quantity::diffuse, h, diffuse);
       const V3<F> more = sum + diffuse;
       sum = {select(lit, more.x, sum.x), select(lit, more.y, sum.y), select(lit, more.z, sum.z)};
     }
@@ -145,17 +150,17 @@ void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const T
       const V3<F> r = rules.mirrored(l, normal, l_n);
       const F r_v = rules.r_v(r, v, l, normal, [&] {
         const auto first = typename L::I(level.hits.ray[h]);
-        return Places<L>(select(exists, L::load(level.hits.ray + h), first)).load(scratch.t);
+        return Indices<L>(select(exists, L::load(level.hits.ray + h), first)).load(scratch.t);
       });
       const auto shines = both(rules.lit_for_specular(lit, blocked), rules.shines(r_v));
-      record.keep(Term::mirrored, h, r);
-      record.keep(Term::r_v, h, r_v);
-      record.keep(Term::shines, h, select(shines, F(1), F(0)));
+      record.keep(Quantity::mirrored, h, r);
+      record.keep(Quantity::r_v, h, r_v);
+      record.keep(Quantity::shines, h, select(shines, F(1), F(0)));
       if (any(shines)) {
         const F highlight = rules.highlight(r_v, material[kShininess]);
         const V3<F> specular = intensity * ks * highlight;
-        record.keep(Term::highlight, h, highlight);
-        record.keep(Term::specular, h, specular);
+        record.keep(Quantity::highlight, h, highlight);
+        record.keep(Quantity::specular, h, specular);
         const V3<F> more = sum + specular;
         const auto adds = but_not(shines, dull);
         sum = {select(adds, more.x, sum.x), select(adds, more.y, sum.y),
@@ -197,14 +202,14 @@ void light_hits(const FrozenScene<R>& scene, const TraceSettings& settings, Leve
   if (terms.silhouette || !(terms.diffuse || terms.specular)) return;
   for (std::int32_t i = 0; i < scene.light_count; ++i) {
     const auto n = static_cast<std::size_t>(level.hit_count);
-    const std::size_t feelers = make_feelers<L>(scene.lights[i], n, scratch, record, rules);
+    const std::size_t shadow_rays = make_shadow_rays<L>(scene.lights[i], n, scratch, record, rules);
     if (terms.shadows) {
-      trace_feelers<L>(scene, feelers, scratch);
-      rules.template after_feelers<L>(scene, feelers, scratch);
-      counts.shadow += feelers;
+      trace_shadow_rays<L>(scene, shadow_rays, scratch);
+      rules.template after_shadow_rays<L>(scene, shadow_rays, scratch);
+      counts.shadow += shadow_rays;
     }
     add_light<L>(scene, scene.lights[i], terms, level, scratch, record, rules);
-    record.light(scene, i, feelers, level, scratch);
+    record.light(scene, i, shadow_rays, level, scratch);
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays and feelers from the engine's arrays into lanes.
+// Rays and shadow rays from the engine's arrays into lanes.
 #pragma once
 
 #include "accel/ray_lanes.hpp"
@@ -16,20 +16,21 @@ ZRAKA_INLINE RayLanes<L> load_rays(const RayArrays<R>& rays, std::size_t i) {
           typename L::I(-1)};
 }
 
-/// The feelers [i, i + kWidth), which end at the light.
+/// The shadow rays [i, i + kWidth), which end at the light.
 template <class L, class R = typename L::Real>
-ZRAKA_INLINE RayLanes<L> load_feelers(const Scratch<R>& scratch, std::size_t i) {
-  return {{L::load(scratch.fox + i), L::load(scratch.foy + i), L::load(scratch.foz + i)},
-          {L::load(scratch.fdx + i), L::load(scratch.fdy + i), L::load(scratch.fdz + i)},
-          L::load(scratch.fdistance + i),
+ZRAKA_INLINE RayLanes<L> load_shadow_rays(const Scratch<R>& scratch, std::size_t i) {
+  return {{L::load(scratch.sox + i), L::load(scratch.soy + i), L::load(scratch.soz + i)},
+          {L::load(scratch.sdx + i), L::load(scratch.sdy + i), L::load(scratch.sdz + i)},
+          L::load(scratch.sdistance + i),
           typename L::I(-1)};
 }
 
-/// So many feelers from number i on, as one group.
+/// So many shadow rays from number i on, as one group.
 template <class L, class R = typename L::Real>
-ZRAKA_INLINE RayGroup<L> group_of_feelers(const Scratch<R>& scratch, std::size_t i,
-                                          std::size_t feelers) {
-  return RayGroup<L>(i, feelers, [&](std::size_t at) { return load_feelers<L>(scratch, at); });
+ZRAKA_INLINE RayGroup<L> group_of_shadow_rays(const Scratch<R>& scratch, std::size_t i,
+                                              std::size_t shadow_rays) {
+  return RayGroup<L>(i, shadow_rays,
+                     [&](std::size_t at) { return load_shadow_rays<L>(scratch, at); });
 }
 
 /// Calls function(i, ray, active) for each register of a group whose first ray is number `first` of

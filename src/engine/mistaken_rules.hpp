@@ -6,8 +6,8 @@
 #include <zraka/mistakes.hpp>
 
 #include "accel/flat_list.hpp"
+#include "engine/indices.hpp"
 #include "engine/load_rays.hpp"
-#include "engine/places.hpp"
 #include "engine/rules.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -24,11 +24,11 @@ struct MistakenRules : Rules {
     for (RayLanes<L>& ray : rays.ray) {
       alignas(64) std::int32_t first[L::kWidth];
       for (std::size_t i = 0; i < L::kWidth; ++i) first[i] = -1;
-      RayLanes<L> met = ray;
-#define ZRAKA_FIRST(Type, plural) first_of<L>(scene, scene.plural, ray, met, first);
+      RayLanes<L> hit_ray = ray;
+#define ZRAKA_FIRST(Type, plural) first_of<L>(scene, scene.plural, ray, hit_ray, first);
       ZRAKA_KINDS(ZRAKA_FIRST)
 #undef ZRAKA_FIRST
-      ray = met;
+      ray = hit_ray;
     }
   }
 
@@ -37,7 +37,9 @@ struct MistakenRules : Rules {
     if (is(Mistake::normal_outward) || is(Mistake::normal_for_refraction)) return outward;
     return Rules::seen_normal(outward, inside);
   }
-  ZRAKA_INLINE bool turns_for_refraction() const { return is(Mistake::normal_for_refraction); }
+  ZRAKA_INLINE bool turns_for_refraction() const {
+    return is(Mistake::normal_for_refraction);
+  }
   template <class F, class M>
   ZRAKA_INLINE V3<F> refraction_normal(const V3<F>& seen, M inside) const {
     return is(Mistake::normal_for_refraction) ? Rules::seen_normal(seen, inside) : seen;
@@ -58,7 +60,7 @@ struct MistakenRules : Rules {
     return always ? l_n == l_n : Rules::faces(l_n);
   }
   template <class F>
-  ZRAKA_INLINE F feeler_length(F light_distance) const {
+  ZRAKA_INLINE F shadow_ray_length(F light_distance) const {
     return is(Mistake::feeler_unbounded) ? F(0x1p+60f) : light_distance;
   }
   template <class F>
@@ -105,20 +107,21 @@ struct MistakenRules : Rules {
     return Rules::highlight(r_v, shininess);
   }
   template <class L, class R>
-  void after_feelers(const FrozenScene<R>& scene, std::size_t feelers, Scratch<R>& scratch) const {
+  void after_shadow_rays(const FrozenScene<R>& scene, std::size_t shadow_rays,
+                         Scratch<R>& scratch) const {
     if (!is(Mistake::feeler_overwrites)) return;
     using F = typename L::F;
-    for (std::size_t first = 0; first < feelers; first += RayGroup<L>::kRays) {
-      RayGroup<L> rays = group_of_feelers<L>(scratch, first, feelers);
+    for (std::size_t first = 0; first < shadow_rays; first += RayGroup<L>::kRays) {
+      RayGroup<L> rays = group_of_shadow_rays<L>(scratch, first, shadow_rays);
       ZRAKA_ISA::find_nearest<L>(scene, rays);
-      each_register(rays, first, feelers,
+      each_register(rays, first, shadow_rays,
                     [&](std::size_t i, const RayLanes<L>& ray, typename L::M active) {
-                      const V3<F> met = ray.origin + ray.direction * ray.t;
-                      const Places<L> hit(L::load(scratch.feeler_hit + i));
+                      const V3<F> point = ray.origin + ray.direction * ray.t;
+                      const Indices<L> hit(L::load(scratch.shadow_ray_hit + i));
                       const auto blocked = both(ray.slot >= typename L::I(0), active);
-                      hit.store(met.x, blocked, scratch.px);
-                      hit.store(met.y, blocked, scratch.py);
-                      hit.store(met.z, blocked, scratch.pz);
+                      hit.store(point.x, blocked, scratch.px);
+                      hit.store(point.y, blocked, scratch.py);
+                      hit.store(point.z, blocked, scratch.pz);
                     });
     }
   }
@@ -162,11 +165,11 @@ struct MistakenRules : Rules {
  private:
   template <class L, class Scene, class Shapes>
   static void first_of(const Scene& scene, const Shapes& shapes, const RayLanes<L>& ray,
-                       RayLanes<L>& met, std::int32_t* first) {
+                       RayLanes<L>& hit_ray, std::int32_t* first) {
     using F = typename L::F;
     for (std::int32_t i = 0; i < shapes.count; ++i) {
       RayLanes<L> one = ray;
-      meet<L>(scene, shapes, i, one);
+      intersect_one<L>(scene, shapes, i, one);
       const std::int32_t id = shapes.id[i];
       alignas(64) typename L::Real wins[L::kWidth];
       alignas(64) std::int32_t slot[L::kWidth];
@@ -177,8 +180,8 @@ struct MistakenRules : Rules {
         wins[lane] = win ? 1 : 0;
       }
       const auto won = L::load(wins) > F(0);
-      met.t = select(won, one.t, met.t);
-      met.slot = select(won, one.slot, met.slot);
+      hit_ray.t = select(won, one.t, hit_ray.t);
+      hit_ray.slot = select(won, one.slot, hit_ray.slot);
     }
   }
 };

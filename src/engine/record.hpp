@@ -12,7 +12,7 @@ namespace zraka::ZRAKA_ISA {
 struct NoRecord {
   static constexpr bool kKeeps = false;
   template <class Value>
-  ZRAKA_INLINE void keep(Term, std::size_t, const Value&) const {}
+  ZRAKA_INLINE void keep(Quantity, std::size_t, const Value&) const {}
   template <class... Arrays>
   ZRAKA_INLINE void hits(const Arrays&...) const {}
   template <class... Arrays>
@@ -34,10 +34,10 @@ class Record {
   explicit Record(Recording<R>& recording) : to_(recording) {}
 
   /// The values of hits [h, h + kWidth).
-  ZRAKA_INLINE void keep(Term term, std::size_t h, const F& value) const {
+  ZRAKA_INLINE void keep(Quantity term, std::size_t h, const F& value) const {
     L::store(value, to_.terms[static_cast<int>(term)] + h);
   }
-  ZRAKA_INLINE void keep(Term term, std::size_t h, const V3<F>& value) const {
+  ZRAKA_INLINE void keep(Quantity term, std::size_t h, const V3<F>& value) const {
     const int first = static_cast<int>(term);
     L::store(value.x, to_.terms[first] + h);
     L::store(value.y, to_.terms[first + 1] + h);
@@ -48,18 +48,18 @@ class Record {
     to_.at_hits(to_.reader, level, scratch);
   }
 
-  /// A feeler stops at any shape; who wants an explanation wants the one nearest to the hit.
-  void light(const FrozenScene<R>& scene, std::int32_t light, std::size_t feelers,
+  /// A shadow ray stops at any shape; who wants an explanation wants the one nearest to the hit.
+  void light(const FrozenScene<R>& scene, std::int32_t light, std::size_t shadow_rays,
              const Level<R>& level, const Scratch<R>& scratch) const {
-    for (std::size_t first = 0; first < feelers; first += RayGroup<L>::kRays) {
-      RayGroup<L> rays = group_of_feelers<L>(scratch, first, feelers);
+    for (std::size_t first = 0; first < shadow_rays; first += RayGroup<L>::kRays) {
+      RayGroup<L> rays = group_of_shadow_rays<L>(scratch, first, shadow_rays);
       find_nearest<L>(scene, rays);
-      each_register(rays, first, feelers, [&](std::size_t i, const RayLanes<L>& ray, auto) {
+      each_register(rays, first, shadow_rays, [&](std::size_t i, const RayLanes<L>& ray, auto) {
         L::store(ray.t, to_.blocker_t + i);
         L::store(ray.slot, to_.blocker + i);
       });
     }
-    to_.at_light(to_.reader, light, feelers, level, scratch);
+    to_.at_light(to_.reader, light, shadow_rays, level, scratch);
   }
 
   void children(const Level<R>& level, const Level<R>& next) const {

@@ -42,9 +42,9 @@ struct Rules {
   ZRAKA_INLINE auto faces(F l_n) const {
     return l_n >= F(0);
   }
-  /// How far a feeler goes.
+  /// How far a shadow ray goes.
   template <class F>
-  ZRAKA_INLINE F feeler_length(F light_distance) const {
+  ZRAKA_INLINE F shadow_ray_length(F light_distance) const {
     return light_distance;
   }
   template <class F>
@@ -69,11 +69,11 @@ struct Rules {
   ZRAKA_INLINE F highlight(F r_v, F shininess) const {
     return power(min(max(r_v, F(0)), F(1)), shininess);
   }
-  /// What feelers leave behind besides their answer: nothing.
+  /// What shadow rays leave behind besides their answer: nothing.
   template <class L, class R>
-  ZRAKA_INLINE void after_feelers(const FrozenScene<R>&, std::size_t, Scratch<R>&) const {}
-  /// Hits that face the light and whose feeler is blocked: is there anything to do for them, what
-  /// is left of the local light, and which hits get the specular term?
+  ZRAKA_INLINE void after_shadow_rays(const FrozenScene<R>&, std::size_t, Scratch<R>&) const {}
+  /// Hits that face the light and whose shadow ray is blocked: is there anything to do for them,
+  /// what is left of the local light, and which hits get the specular term?
   ZRAKA_INLINE bool looks_into_shadows() const { return false; }
   template <class F, class M>
   ZRAKA_INLINE V3<F> local_in_shadow(const V3<F>& local, M /*blocked*/) const {

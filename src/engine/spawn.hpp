@@ -7,16 +7,16 @@
 
 namespace zraka::ZRAKA_ISA {
 
-/// Appends the wanted lanes to the level as rays, and returns each lane's place there, -1 where
+/// Appends the wanted lanes to the level as rays, and returns each lane's index there, -1 where
 /// none. Directions come in with a length within a few roundings of 1 and leave nearer to it (one
 /// Newton step).
 template <class L, class R = typename L::Real>
 ZRAKA_INLINE void append_rays(Level<R>& level, const V3<typename L::F>& origin,
                               const V3<typename L::F>& direction, typename L::M wanted,
-                              std::int32_t* places) {
+                              std::int32_t* indices) {
   using F = typename L::F;
   if (!any(wanted)) {
-    L::store(typename L::I(-1), places);
+    L::store(typename L::I(-1), indices);
     return;
   }
   const auto at = static_cast<std::size_t>(level.ray_count);
@@ -27,15 +27,15 @@ ZRAKA_INLINE void append_rays(Level<R>& level, const V3<typename L::F>& origin,
   L::compress_store(unit.x, wanted, level.rays.dx + at);
   L::compress_store(unit.y, wanted, level.rays.dy + at);
   L::compress_store(unit.z, wanted, level.rays.dz + at);
-  // The k-th wanted lane gets place at + k.
+  // The k-th wanted lane gets index at + k.
   if (all(wanted)) {
-    L::store(L::iota(level.ray_count), places);
+    L::store(L::iota(level.ray_count), indices);
   } else {
     const std::uint32_t lanes = bits(wanted);
     for (std::size_t i = 0; i < L::kWidth; ++i)
-      places[i] = (lanes >> i & 1) == 0
-                      ? -1
-                      : level.ray_count + __builtin_popcount(lanes & ((1u << i) - 1));
+      indices[i] = (lanes >> i & 1) == 0
+                       ? -1
+                       : level.ray_count + __builtin_popcount(lanes & ((1u << i) - 1));
   }
   level.ray_count += static_cast<std::int32_t>(count(wanted));
 }
@@ -94,13 +94,13 @@ void spawn_reflected(const FrozenScene<R>& scene, const TraceSettings& settings,
     F reflection = settings.terms.reflection ? material[kReflection] : F(0);
     F refraction = settings.terms.refraction ? material[kRefraction] : F(0);
     const HitLanes<L> hit(scratch, h);
-    record.keep(Term::cosine, h, hit.cosine);
+    record.keep(Quantity::cosine, h, hit.cosine);
     if (settings.terms.refraction && any(but_not(L::first(n - h), refraction == F(0)))) {
       const HitLanes<L> turned = hit.for_refraction(scratch, h, rules);
       const Snell<L> snell(material, scratch, h, rules.refraction_cosine(turned.cosine), rules);
       const auto passes = snell.d >= F(0);
-      record.keep(Term::ratio, h, snell.b);
-      record.keep(Term::quarter_d, h, snell.d);
+      record.keep(Quantity::ratio, h, snell.b);
+      record.keep(Quantity::quarter_d, h, snell.d);
       rules.template instead_of_refracted<L>(level, h, but_not(L::first(n - h), passes),
                                              refraction);
       if (settings.mirror_when_total)
@@ -136,7 +136,7 @@ void spawn_refracted(const FrozenScene<R>& scene, Level<R>& level, const Scratch
     const F cosine = rules.refraction_cosine(hit.cosine);
     const Snell<L> snell(material, scratch, h, cosine, rules);
     const F a = sqrt(max(snell.d, F(0))) - snell.b * cosine;
-    record.keep(Term::along_normal, h, a);
+    record.keep(Quantity::along_normal, h, a);
     append_rays<L>(next, hit.point - hit.normal * hit.offset,
                    -(hit.normal * a) - hit.view * snell.b, wanted, level.hits.refracted + h);
   }

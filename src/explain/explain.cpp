@@ -31,7 +31,7 @@ struct Stand {
     const auto name = scene.names.find(id);
     return {id, name == scene.names.end() ? std::string() : name->second};
   }
-  Vec3 place(float x, float y, float z) const {
+  Vec3 world_point(float x, float y, float z) const {
     return prepared.frame.world_point(
         {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
   }
@@ -69,10 +69,10 @@ class TreeReader {
   }
   RayTree& tree() { return tree_; }
   const TooLarge& too_large() const { return too_large_; }
-  bool feelers_disagree() const { return feelers_disagree_; }
+  bool shadow_rays_disagree() const { return shadow_rays_disagree_; }
 
   void at_hits(const Level<float>& level, const Scratch<float>& s);
-  void at_light(std::int32_t light, std::size_t feelers, const Level<float>& level,
+  void at_light(std::int32_t light, std::size_t shadow_rays, const Level<float>& level,
                 const Scratch<float>& s);
   void at_children(const Level<float>& level, const Level<float>& next);
   void at_fold(const Level<float>& level);
@@ -101,10 +101,10 @@ class TreeReader {
   WorkspaceMemory<float> workspace_;
   RecordedTerms terms_;
   RayTree tree_;
-  std::vector<std::size_t> first_;  ///< place of each level's first ray in the tree
+  std::vector<std::size_t> first_;  ///< index of each level's first ray in the tree
   std::vector<Awaited> awaited_{{RayKind::camera, -1, 1.0}};
   TooLarge too_large_;
-  bool feelers_disagree_ = false;
+  bool shadow_rays_disagree_ = false;
 };
 
 /// Why a hit on the deepest level, or in a stage without such rays, has no child.
@@ -120,7 +120,7 @@ ExplainedHit TreeReader::surface(const Level<float>& level, const Scratch<float>
   ExplainedHit hit;
   hit.shape = stand_.named(s.slot[ray]);
   hit.distance = stand_.length(s.t[ray]);
-  hit.point = stand_.place(s.px[h], s.py[h], s.pz[h]);
+  hit.point = stand_.world_point(s.px[h], s.py[h], s.pz[h]);
   hit.normal = {s.nx[h], s.ny[h], s.nz[h]};
   const bool turns = stand_.settings.mistake != Mistake::normal_outward &&
                      stand_.settings.mistake != Mistake::normal_for_refraction;
@@ -145,7 +145,7 @@ void TreeReader::at_hits(const Level<float>& level, const Scratch<float>& s) {
                           .depth = static_cast<int>(depth_of(level)),
                           .parent = awaited_[i].parent,
                           .weight = awaited_[i].weight,
-                          .origin = stand_.place(rays.ox[i], rays.oy[i], rays.oz[i]),
+                          .origin = stand_.world_point(rays.ox[i], rays.oy[i], rays.oz[i]),
                           .direction = {rays.dx[i], rays.dy[i], rays.dz[i]}});
   }
   awaited_.clear();
@@ -159,7 +159,7 @@ void TreeReader::at_hits(const Level<float>& level, const Scratch<float>& s) {
   terms_.recording().stop = true;
 }
 
-void TreeReader::at_light(std::int32_t light, std::size_t feelers, const Level<float>& level,
+void TreeReader::at_light(std::int32_t light, std::size_t shadow_rays, const Level<float>& level,
                           const Scratch<float>& s) {
   if (terms_.recording().stop) return;
   const Terms& stage = stand_.settings.terms;
@@ -168,12 +168,13 @@ void TreeReader::at_light(std::int32_t light, std::size_t feelers, const Level<f
     return hit(level, h).lights[static_cast<std::size_t>(light)];
   };
   for (std::size_t h = 0; h < hits; ++h)
-    hit(level, h).lights.push_back({.reach = Reach::behind,
-                                    .distance = stand_.length(terms_.at(Term::light_distance, h)),
-                                    .to_light = terms_.three_at(Term::to_light, h),
-                                    .l_n = terms_.at(Term::l_n, h)});
-  for (std::size_t i = 0; i < feelers; ++i) {
-    const auto h = static_cast<std::size_t>(s.feeler_hit[i]);
+    hit(level, h).lights.push_back(
+        {.reach = Reach::behind,
+         .distance = stand_.length(terms_.at(Quantity::light_distance, h)),
+         .to_light = terms_.three_at(Quantity::to_light, h),
+         .l_n = terms_.at(Quantity::l_n, h)});
+  for (std::size_t i = 0; i < shadow_rays; ++i) {
+    const auto h = static_cast<std::size_t>(s.shadow_ray_hit[i]);
     LightTerms& at = of_light(h);
     at.reach = Reach::unchecked;
     if (!stage.shadows) continue;
@@ -181,7 +182,7 @@ void TreeReader::at_light(std::int32_t light, std::size_t feelers, const Level<f
     at.reach = blocker < 0 ? Reach::lit : Reach::blocked;
     if (blocker >= 0)
       at.blocker = {stand_.named(blocker), stand_.length(terms_.blocker_distance(i))};
-    feelers_disagree_ = feelers_disagree_ || (blocker < 0) != (s.lit[h] > 0);
+    shadow_rays_disagree_ = shadow_rays_disagree_ || (blocker < 0) != (s.lit[h] > 0);
   }
   for (std::size_t h = 0; h < hits; ++h) {
     LightTerms& at = of_light(h);
@@ -189,12 +190,12 @@ void TreeReader::at_light(std::int32_t light, std::size_t feelers, const Level<f
     const bool specular = lit || (at.reach == Reach::blocked &&
                                   stand_.settings.mistake == Mistake::shadow_leaves_specular);
     if (!specular) continue;
-    if (stage.diffuse && lit) at.diffuse = terms_.three_at(Term::diffuse, h);
+    if (stage.diffuse && lit) at.diffuse = terms_.three_at(Quantity::diffuse, h);
     if (!stage.specular) continue;
-    at.r_v = terms_.at(Term::r_v, h);
-    if (!(terms_.at(Term::shines, h) > 0)) continue;
-    at.highlight = terms_.at(Term::highlight, h);
-    at.specular = terms_.three_at(Term::specular, h);
+    at.r_v = terms_.at(Quantity::r_v, h);
+    if (!(terms_.at(Quantity::shines, h) > 0)) continue;
+    at.highlight = terms_.at(Quantity::highlight, h);
+    at.specular = terms_.three_at(Quantity::specular, h);
   }
 }
 
@@ -214,18 +215,18 @@ void TreeReader::at_children(const Level<float>& level, const Level<float>& next
     ExplainedHit& at = *tree_.rays[parent].hit;
     const Terms& stage = stand_.settings.terms;
     if (stage.refraction && at.k2 != 0) {
-      const float quarter_d = terms_.at(Term::quarter_d, h);
-      at.snell = {.cosine = terms_.at(Term::cosine, h),
-                  .ratio = terms_.at(Term::ratio, h),
+      const float quarter_d = terms_.at(Quantity::quarter_d, h);
+      at.snell = {.cosine = terms_.at(Quantity::cosine, h),
+                  .ratio = terms_.at(Quantity::ratio, h),
                   .quarter_d = quarter_d,
                   .total = !(quarter_d >= 0)};
       if (at.snell->total) at.refracted.absence = Absence::total;
-      if (level.hits.refracted[h] >= 0) at.snell->a = terms_.at(Term::along_normal, h);
+      if (level.hits.refracted[h] >= 0) at.snell->a = terms_.at(Quantity::along_normal, h);
     }
-    const auto take = [&](Child& child, float share, std::int32_t place, RayKind kind) {
-      if (place < 0) return;
-      child = {share, static_cast<int>(first_of_next) + place, Absence::none};
-      awaited_[static_cast<std::size_t>(place)] = {
+    const auto take = [&](Child& child, float share, std::int32_t index, RayKind kind) {
+      if (index < 0) return;
+      child = {share, static_cast<int>(first_of_next) + index, Absence::none};
+      awaited_[static_cast<std::size_t>(index)] = {
           kind, static_cast<int>(parent), tree_.rays[parent].weight * static_cast<double>(share)};
     };
     take(at.reflected, level.hits.reflection[h], level.hits.reflected[h], RayKind::reflected);
@@ -240,7 +241,7 @@ void TreeReader::at_fold(const Level<float>& level) {
     tree_.rays[first + i].color = {level.rays.r[i], level.rays.g[i], level.rays.b[i]};
   for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
     hit(level, h).local = {level.hits.r[h], level.hits.g[h], level.hits.b[h]};
-    hit(level, h).sum = terms_.three_at(Term::unclamped, h);
+    hit(level, h).sum = terms_.three_at(Quantity::unclamped, h);
   }
 }
 
@@ -254,7 +255,7 @@ Result<RayTree> read_tree(const Stand& stand, std::uint32_t x, std::uint32_t y) 
       too_large = reader.too_large();
       continue;
     }
-    if (reader.feelers_disagree())
+    if (reader.shadow_rays_disagree())
       return failure(
           "",
           fmt::format("pixel ({}, {}): a feeler and a nearest hit disagree about a shape", x, y),
@@ -305,7 +306,7 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
     }
   Image pixel(1, 1);
   std::copy(explanation.color.begin(), explanation.color.end(), pixel.pixels.begin());
-  put_into(pixel, stand.options.mistake);
+  apply_mistake(pixel, stand.options.mistake);
   std::copy_n(pixel.pixels.begin(), 3, explanation.color.begin());
   return explanation;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Influence: listens to the renderer's steps on every tile, and notes which rays meet one shape.
+// Influence: listens to the renderer's steps on every tile, and notes which rays hit one shape.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -93,7 +93,7 @@ class WayReader {
   }
 
   void at_hits(const Level<float>& level, const Scratch<float>& s);
-  void at_light(std::int32_t light, std::size_t feelers, const Level<float>& level,
+  void at_light(std::int32_t light, std::size_t shadow_rays, const Level<float>& level,
                 const Scratch<float>& s);
   void at_children(const Level<float>& level, const Level<float>& next);
   void at_fold(const Level<float>&) {}
@@ -140,11 +140,11 @@ void WayReader::at_hits(const Level<float>& level, const Scratch<float>& s) {
   }
 }
 
-void WayReader::at_light(std::int32_t, std::size_t feelers, const Level<float>& level,
+void WayReader::at_light(std::int32_t, std::size_t shadow_rays, const Level<float>& level,
                          const Scratch<float>& s) {
   const auto begin = static_cast<std::size_t>(level.done);
-  for (std::size_t i = 0; i < feelers; ++i) {
-    const auto h = static_cast<std::size_t>(s.feeler_hit[i]);
+  for (std::size_t i = 0; i < shadow_rays; ++i) {
+    const auto h = static_cast<std::size_t>(s.shadow_ray_hit[i]);
     if (s.lit[h] > 0 || terms_.blocker(i, s) != slot_) continue;
     note(depth_of(level), begin + static_cast<std::size_t>(level.hits.ray[h]), true);
   }
@@ -155,10 +155,10 @@ void WayReader::at_children(const Level<float>& level, const Level<float>& next)
   const auto begin = static_cast<std::size_t>(level.done);
   pixels_[depth + 1].resize(static_cast<std::size_t>(next.ray_count));
   ways_of_rays_[depth + 1].resize(static_cast<std::size_t>(next.ray_count));
-  const auto take = [&](std::size_t h, std::int32_t place, RayKind kind) {
-    if (place < 0) return;
+  const auto take = [&](std::size_t h, std::int32_t index, RayKind kind) {
+    if (index < 0) return;
     const std::size_t parent = begin + static_cast<std::size_t>(level.hits.ray[h]);
-    const auto child = static_cast<std::size_t>(place);
+    const auto child = static_cast<std::size_t>(index);
     pixels_[depth + 1][child] = pixels_[depth][parent];
     ways_of_rays_[depth + 1][child] = ways_.next(ways_of_rays_[depth][parent], kind);
   };

@@ -16,19 +16,19 @@ class RecordedTerms {
   template <class Reader>
   RecordedTerms(std::int32_t batch, Reader& reader)
       : stride_(static_cast<std::size_t>(batch) + kArrayPadding),
-        values_((static_cast<std::size_t>(Term::count) + 1) * stride_),
+        values_((static_cast<std::size_t>(Quantity::count) + 1) * stride_),
         blockers_(stride_) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(Term::count); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(Quantity::count); ++i)
       recording_.terms[i] = values_.data() + i * stride_;
-    recording_.blocker_t = values_.data() + static_cast<std::size_t>(Term::count) * stride_;
+    recording_.blocker_t = values_.data() + static_cast<std::size_t>(Quantity::count) * stride_;
     recording_.blocker = blockers_.data();
     recording_.reader = &reader;
     recording_.at_hits = [](void* me, const Level<float>& level, const Scratch<float>& scratch) {
       static_cast<Reader*>(me)->at_hits(level, scratch);
     };
-    recording_.at_light = [](void* me, std::int32_t light, std::size_t feelers,
+    recording_.at_light = [](void* me, std::int32_t light, std::size_t shadow_rays,
                              const Level<float>& level, const Scratch<float>& scratch) {
-      static_cast<Reader*>(me)->at_light(light, feelers, level, scratch);
+      static_cast<Reader*>(me)->at_light(light, shadow_rays, level, scratch);
     };
     recording_.at_children = [](void* me, const Level<float>& level, const Level<float>& next) {
       static_cast<Reader*>(me)->at_children(level, next);
@@ -43,16 +43,18 @@ class RecordedTerms {
   Recording<float>& recording() { return recording_; }
 
   /// A term of hit h of the batch.
-  float at(Term term, std::size_t h) const { return recording_.terms[static_cast<int>(term)][h]; }
-  std::array<float, 3> three_at(Term term, std::size_t h) const {
+  float at(Quantity term, std::size_t h) const {
+    return recording_.terms[static_cast<int>(term)][h];
+  }
+  std::array<float, 3> three_at(Quantity term, std::size_t h) const {
     const auto first = static_cast<std::size_t>(term);
     return {recording_.terms[first][h], recording_.terms[first + 1][h],
             recording_.terms[first + 2][h]};
   }
 
-  /// The shape that the i-th feeler meets before the light, as its slot; -1: none.
+  /// The shape that the i-th shadow ray hits before the light, as its slot; -1: none.
   std::int32_t blocker(std::size_t i, const Scratch<float>& scratch) const {
-    return recording_.blocker_t[i] < scratch.fdistance[i] ? blockers_[i] : -1;
+    return recording_.blocker_t[i] < scratch.sdistance[i] ? blockers_[i] : -1;
   }
   float blocker_distance(std::size_t i) const { return recording_.blocker_t[i]; }
 

@@ -18,12 +18,12 @@ struct Segment {
   Vec3 from, to;
   bool endless = false;  ///< it goes on beyond `to`
   std::size_t tree = 0, ray = 0;
-  std::size_t light = 0;  ///< of a feeler
+  std::size_t light = 0;  ///< of a shadow ray
 };
 
-/// Rays up to what they meet; feelers up to their light or to what blocks them. What meets nothing
-/// is as long as half of what the tree spans, and feelers to lights from far away end after eight
-/// times that span.
+/// Rays up to what they hit; shadow rays up to their light or to what blocks them. What hits
+/// nothing is as long as half of what the tree spans, and shadow rays to lights from far away end
+/// after eight times that span.
 std::vector<Segment> segments_of(const Scene& scene, const Explanation& explanation);
 
 }  // namespace zraka

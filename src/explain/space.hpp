@@ -9,7 +9,7 @@
 
 namespace zraka {
 
-/// JSON that can stand inside an HTML script element: rays, shapes that the tree meets (and all,
+/// JSON that can stand inside an HTML script element: rays, shapes that the tree hits (and all,
 /// where they are few), lights, eye, window, and labels in the language.
 std::string space_json(Language language, const Scene& scene, const Explanation& explanation);
 

@@ -55,11 +55,11 @@ class Reader {
   std::string_view text_;
   std::string name_;
   lab::Tokens tokens_;
-  Places places_;
+  TextPositions places_;
   Scene scene_;
   Diagnostics errors_, warnings_;
 
-  std::size_t value_ = 0;        ///< place of the next value in the head or in its sphere
+  std::size_t value_ = 0;        ///< index of the next value in the head or in its sphere
   std::uint64_t sphere_ = 0;     ///< which sphere, from 1; 0 in the head
   std::uint64_t announced_ = 0;  ///< how many spheres the file says it has
   bool count_known_ = false;
@@ -71,7 +71,7 @@ class Reader {
 
 Diagnostic Reader::problem(Severity severity, std::size_t position, std::string message,
                            std::string hint) {
-  const Place place = places_.at(position);
+  const TextPosition place = places_.at(position);
   return {severity,
           name_,
           place.line,
@@ -310,7 +310,7 @@ bool Reader::read_sphere() {
                               .shininess = v[lab::kN],
                               .reflection = v[lab::kK1],
                               .refraction = v[lab::kK2],
-                              .refractive = v[lab::kNi]});
+                              .ior = v[lab::kNi]});
   return true;
 }
 

@@ -46,7 +46,7 @@ Result<std::string> write_lab_input(const Scene& scene) {
     color("ambientna komponenta ka", m.ambient);
     color("difuzna komponenta kd", m.diffuse);
     color("spekularna komponenta ks", m.specular);
-    fmt::format_to(out, "\t<n => {}:\n\t<faktor refrakcije ni => {}:\n", m.shininess, m.refractive);
+    fmt::format_to(out, "\t<n => {}:\n\t<faktor refrakcije ni => {}:\n", m.shininess, m.ior);
   }
   return text;
 }

@@ -34,9 +34,9 @@ inline constexpr std::array kSphere = {
     Field{{"ni (refraction factor)"}, 1},
 };
 
-/// Places of values among those of the head.
+/// TextPositions of values among those of the head.
 enum Head { kEye = 0, kSize = 3, kResolution = 4, kLight = 5, kCount = 8, kHeadValues = 9 };
-/// Places of values among those of a sphere.
+/// TextPositions of values among those of a sphere.
 enum SphereValue {
   kCenter = 0,
   kRadius = 3,
@@ -50,13 +50,13 @@ enum SphereValue {
   kSphereValues = 17
 };
 
-/// The field that value `place` of a list of fields belongs to, and its number in it.
+/// The field that value `index` of a list of fields belongs to, and its number in it.
 template <std::size_t N>
 std::pair<const Field&, std::size_t> field_at(const std::array<Field, N>& fields,
-                                              std::size_t place) {
+                                              std::size_t index) {
   std::size_t f = 0;
-  while (place >= fields[f].size) place -= fields[f++].size;
-  return {fields[f], place};
+  while (index >= fields[f].size) index -= fields[f++].size;
+  return {fields[f], index};
 }
 
 }  // namespace zraka::lab

@@ -39,7 +39,7 @@ double length(const Vec3& a) {
 
 void NffReader::add(Severity severity, const char* at, std::string message, std::string hint) {
   const auto position = static_cast<std::size_t>(at - text_.data());
-  const Place place = places_.at(position);
+  const TextPosition place = places_.at(position);
   (severity == Severity::error ? errors_ : warnings_)
       .push_back({severity, name_, place.line, place.column, std::move(message), std::move(hint),
                   places_.excerpt(position)});
@@ -183,7 +183,7 @@ std::uint32_t NffReader::material_of(const Row& row) {
                               .shininess = std::fmax(shine, 0.0),
                               .reflection = ks,
                               .refraction = t,
-                              .refractive = t != 0 && index > 0 ? index : 1});
+                              .ior = t != 0 && index > 0 ? index : 1});
   return entry->second;
 }
 

@@ -73,7 +73,7 @@ class NffReader {
   const char *at_, *end_;
   std::string_view text_;
   std::string name_;
-  Places places_;
+  TextPositions places_;
   const Passed& passed_;
   const char* looked_ahead_ = nullptr;
   Scene scene_;

@@ -20,8 +20,8 @@ struct Fitted {
   std::uint32_t width = 0, height = 0;  ///< as it was handed in
 };
 
-/// Scales a picture of the same shape; looks for the right picture's place in one of another shape,
-/// which is a window with its frame, or cut off.
+/// Scales a picture of the same shape; looks for the right picture's position in one of another
+/// shape, which is a window with its frame, or cut off.
 Fitted fit(const Image& submitted, const Image& right);
 
 /// What may have become of a right picture: upside down or not, colours swapped or not, each with

@@ -8,9 +8,9 @@
 
 namespace zraka {
 
-/// Top and bottom change places.
+/// Top and bottom are swapped.
 Image flipped_vertically(const Image& image);
-/// Left and right change places.
+/// Left and right are swapped.
 Image flipped_horizontally(const Image& image);
 Image with_red_and_blue_swapped(const Image& image);
 

@@ -18,7 +18,8 @@ struct Rows {
 
 /// Gives a zlib stream (RFC 1950) of the rows to `take`, part after part, until that returns false.
 /// The stream is the same from any number of threads (0: one for each processor): every piece of
-/// about 2^17 bytes is deflated for itself, which costs less than one byte in a hundred. True if all went.
+/// about 2^17 bytes is deflated for itself, which costs less than one byte in a hundred. True if
+/// all went.
 bool deflate_rows(const Rows& rows, int level, int threads,
                   const std::function<bool(const std::vector<unsigned char>& part)>& take);
 

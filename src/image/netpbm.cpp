@@ -59,7 +59,7 @@ class Words {
   tl::unexpected<Diagnostics> problem(std::string message) {
     Diagnostic d;
     d.file = file_.name;
-    const Place place = places_.at(start_);
+    const TextPosition place = places_.at(start_);
     d.line = place.line;
     d.column = place.column;
     d.message = std::move(message);
@@ -80,7 +80,7 @@ class Words {
 
  private:
   const ImageFile& file_;
-  Places places_;
+  TextPositions places_;
   std::size_t at_ = 2, start_ = 0;
 };
 

@@ -197,14 +197,14 @@ ZRAKA_INLINE FloatLanes round_to_integer(FloatLanes a) {
 }
 
 namespace wide {
-/// For each mask of eight lanes the places of those that are set, a byte each. Highway's own table
+/// For each mask of eight lanes the indices of those that are set, a byte each. Highway's own table
 /// is copied to the stack by g++ 12, a kilobyte at every use.
 struct PackTable {
-  alignas(64) std::uint8_t places[256][8];
-  constexpr PackTable() : places{} {
+  alignas(64) std::uint8_t indices[256][8];
+  constexpr PackTable() : indices{} {
     for (unsigned mask = 0; mask < 256; ++mask)
       for (unsigned lane = 0, to = 0; lane < 8; ++lane)
-        if ((mask >> lane & 1) != 0) places[mask][to++] = static_cast<std::uint8_t>(lane);
+        if ((mask >> lane & 1) != 0) indices[mask][to++] = static_cast<std::uint8_t>(lane);
   }
 };
 inline constexpr PackTable kPackTable{};
@@ -213,9 +213,9 @@ template <class Tag>
 ZRAKA_INLINE hn::Vec<Tag> pack(Tag tag, hn::Vec<Tag> v, hn::Mask<Tag> m, std::uint32_t mask_bits) {
   if constexpr (hn::MaxLanes(Tag()) == 8) {
     const auto bytes =
-        hn::LoadU(hn::Rebind<std::uint8_t, Tag>(), kPackTable.places[mask_bits & 0xFF]);
-    const auto places = hn::IndicesFromVec(tag, hn::PromoteTo(hn::RebindToSigned<Tag>(), bytes));
-    return hn::TableLookupLanes(v, places);
+        hn::LoadU(hn::Rebind<std::uint8_t, Tag>(), kPackTable.indices[mask_bits & 0xFF]);
+    const auto indices = hn::IndicesFromVec(tag, hn::PromoteTo(hn::RebindToSigned<Tag>(), bytes));
+    return hn::TableLookupLanes(v, indices);
   } else {
     return hn::Compress(v, m);
   }
@@ -245,9 +245,9 @@ struct WideLanes {
   /// gathers.
   static ZRAKA_INLINE void gather_four(const float* base, I at, F (&out)[4]) {
 #if HWY_TARGET <= HWY_AVX2
-    alignas(64) std::int32_t places[kWidth];
-    hn::Store(at.v, wide::di, places);
-    const auto row = [&](std::size_t lane) { return _mm_load_ps(base + places[lane]); };
+    alignas(64) std::int32_t indices[kWidth];
+    hn::Store(at.v, wide::di, indices);
+    const auto row = [&](std::size_t lane) { return _mm_load_ps(base + indices[lane]); };
     const auto each_fourth = [&](std::size_t lane) -> hn::Vec<wide::D> {
 #if HWY_TARGET <= HWY_AVX3
       __m512 v = _mm512_castps128_ps512(row(lane));
@@ -296,15 +296,23 @@ struct WideLanes {
 #endif
   }
   /// The lanes of m first; any values after them.
-  static ZRAKA_INLINE F compress(F v, M m) { return wide::pack(wide::d, v.v, m.v, bits(m)); }
+  static ZRAKA_INLINE F compress(F v, M m) {
+    return wide::pack(wide::d, v.v, m.v, bits(m));
+  }
   static ZRAKA_INLINE I compress(I v, M m) {
     return wide::pack(wide::di, v.v, hn::RebindMask(wide::di, m.v), bits(m));
   }
   /// May write up to kWidth values, of which the first count(m) are meant: a masked store would
   /// delay what is read from there soon.
-  static ZRAKA_INLINE void compress_store(F v, M m, float* p) { store(compress(v, m), p); }
-  static ZRAKA_INLINE void compress_store(I v, M m, std::int32_t* p) { store(compress(v, m), p); }
-  static ZRAKA_INLINE M first(std::size_t n) { return {hn::FirstN(wide::d, n)}; }
+  static ZRAKA_INLINE void compress_store(F v, M m, float* p) {
+    store(compress(v, m), p);
+  }
+  static ZRAKA_INLINE void compress_store(I v, M m, std::int32_t* p) {
+    store(compress(v, m), p);
+  }
+  static ZRAKA_INLINE M first(std::size_t n) {
+    return {hn::FirstN(wide::d, n)};
+  }
   static ZRAKA_INLINE M from_bits(std::uint32_t b) {
 #if HWY_TARGET <= HWY_AVX3
     return {hn::Mask<wide::D>{static_cast<__mmask16>(b)}};
@@ -314,8 +322,12 @@ struct WideLanes {
     return {hn::LoadMaskBits(wide::d, bytes)};
 #endif
   }
-  static ZRAKA_INLINE I iota(std::int32_t start) { return hn::Iota(wide::di, start); }
-  static ZRAKA_INLINE F to_real(I v) { return hn::ConvertTo(wide::d, v.v); }
+  static ZRAKA_INLINE I iota(std::int32_t start) {
+    return hn::Iota(wide::di, start);
+  }
+  static ZRAKA_INLINE F to_real(I v) {
+    return hn::ConvertTo(wide::d, v.v);
+  }
 };
 
 }  // namespace zraka::ZRAKA_ISA

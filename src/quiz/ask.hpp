@@ -29,11 +29,11 @@ std::unique_ptr<Asker> make_color_asker(Studio& studio, Language language, std::
 /// At most this many choices are wrong.
 inline constexpr std::size_t kWrongChoices = 3;
 
-/// Puts the right choice among the wrong ones at a place that chance decides.
+/// Puts the right choice among the wrong ones at a position that chance decides.
 void set_choices(QuizQuestion& question, QuizChoice right, std::vector<QuizChoice> wrong,
                  Random& random);
 
-/// Adds a picture of stored values; gives back its place.
+/// Adds a picture of stored values; returns its index.
 Result<std::size_t> add_picture(Quiz& quiz, const Image& stored);
 
 /// "(12, 34, 56)".

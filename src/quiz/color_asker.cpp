@@ -86,7 +86,7 @@ class ColorAsker : public Asker {
   bool prepared_ = false;
   std::size_t turn_ = 0;
   std::set<Pixel> asked_;
-  std::optional<Explainer> explainer_, without_feelers_;
+  std::optional<Explainer> explainer_, without_shadow_rays_;
 };
 
 /// Where a term changes what one sees, there is something to compute, and the terms in turn give
@@ -115,7 +115,7 @@ Result<void> ColorAsker::prepare() {
   options.terms.shadows = false;
   explainer = Explainer::create(studio_.scene(), options);
   if (!explainer) return tl::make_unexpected(explainer.error());
-  without_feelers_ = std::move(*explainer);
+  without_shadow_rays_ = std::move(*explainer);
   return {};
 }
 
@@ -124,7 +124,7 @@ std::vector<QuizChoice> ColorAsker::slips_at(const Explanation& e) {
   std::optional<Explanation> unshadowed;
   if (std::any_of(lights.begin(), lights.end(),
                   [](const LightTerms& at) { return at.reach == Reach::blocked; }))
-    if (Result<Explanation> other = without_feelers_->pixel(e.x, e.y)) unshadowed = *other;
+    if (Result<Explanation> other = without_shadow_rays_->pixel(e.x, e.y)) unshadowed = *other;
   std::vector<QuizChoice> slips;
   for (const Slip& slip : slips_of(e, unshadowed))
     slips.push_back(

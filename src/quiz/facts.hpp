@@ -10,7 +10,7 @@
 
 namespace zraka {
 
-/// Lines for a pixel of one tree whose first ray meets a shape: all that its colour follows from,
+/// Lines for a pixel of one tree whose first ray hits a shape: all that its colour follows from,
 /// and no sum or product of it.
 std::vector<std::string> facts_of(Language language, const Explanation& explanation);
 

@@ -37,7 +37,7 @@ class Page {
   void pictures(const QuizQuestion& question);
   void choices(const QuizQuestion& question);
   void reasons(const QuizQuestion& question);
-  std::string choice_text(QuizKind kind, std::size_t place, const QuizChoice& choice) const;
+  std::string choice_text(QuizKind kind, std::size_t position, const QuizChoice& choice) const;
 
   const Quiz& quiz_;
   const QuizView& view_;
@@ -58,8 +58,8 @@ void Page::head(Word title, bool with_seed) {
 }
 
 /// "B" and what it says; a colour with a patch of it.
-std::string Page::choice_text(QuizKind kind, std::size_t place, const QuizChoice& choice) const {
-  std::string text = fmt::format("<b>{}</b>", letter_of(place));
+std::string Page::choice_text(QuizKind kind, std::size_t position, const QuizChoice& choice) const {
+  std::string text = fmt::format("<b>{}</b>", letter_of(position));
   if (kind == QuizKind::color)
     text += fmt::format("<span class=\"swatch\" style=\"background:rgb{}\"></span>", choice.text);
   return text + fmt::format("<span>{}</span>", html_text(choice.text));

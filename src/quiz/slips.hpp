@@ -18,8 +18,8 @@ struct Slip {
   std::array<std::uint8_t, 3> color{};  ///< as an 8 bit file stores it
 };
 
-/// All slips that a pixel of one tree can show, whose first ray meets a shape. `unshadowed` is the
-/// same pixel without feelers, for what a shadow takes away.
+/// All slips that a pixel of one tree can show, whose first ray hits a shape. `unshadowed` is the
+/// same pixel without shadow rays, for what a shadow takes away.
 std::vector<Slip> slips_of(const Explanation& explanation,
                            const std::optional<Explanation>& unshadowed);
 

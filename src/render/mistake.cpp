@@ -61,10 +61,10 @@ Scene mistaken_scene(Scene scene, const RenderOptions& options) {
       each_material([](Material& m) { m.refraction = m.refraction > 0 ? 1 : 0; });
       break;
     case Mistake::ratio_inverted:
-      each_material([](Material& m) { m.refractive = 1 / m.refractive; });
+      each_material([](Material& m) { m.ior = 1 / m.ior; });
       break;
     case Mistake::straight_through:
-      each_material([](Material& m) { m.refractive = 1; });
+      each_material([](Material& m) { m.ior = 1; });
       break;
     default:
       break;
@@ -95,7 +95,7 @@ RenderOptions mistaken_options(RenderOptions options) {
   return options;
 }
 
-void put_into(Image& image, Mistake mistake) {
+void apply_mistake(Image& image, Mistake mistake) {
   if (mistake == Mistake::red_and_blue)
     for (std::size_t i = 0; i + 2 < image.pixels.size(); i += 3)
       std::swap(image.pixels[i], image.pixels[i + 2]);

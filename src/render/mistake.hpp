@@ -12,6 +12,6 @@ Scene mistaken_scene(Scene scene, const RenderOptions& options);
 /// Profile and depth as they become by the options' mistake.
 RenderOptions mistaken_options(RenderOptions options);
 /// The finished picture with the mistake.
-void put_into(Image& image, Mistake mistake);
+void apply_mistake(Image& image, Mistake mistake);
 
 }  // namespace zraka

@@ -50,7 +50,7 @@ void finish(PreparedScene<R>& prepared) {
     refer_to(prepared.store->scene, refs.data());
     prepared.hierarchy = build_hierarchy(std::move(refs), kind_starts);
   }
-  finish(*prepared.store, prepared.hierarchy);
+  reorder_by_leaf(*prepared.store, prepared.hierarchy);
   prepared.hierarchy.order = {};
 }
 

@@ -74,7 +74,7 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
                   const TraceSettings& settings, const RenderOptions& options, int tile,
                   int threads, Rendering& rendering) {
   Image& image = rendering.image;
-  // The oracle asks with every ray, and so do mistakes, which may be about what rays meet.
+  // The oracle asks with every ray, and so do mistakes, which may be about what rays hit.
   std::optional<ScreenBounds> bounds;
   std::vector<float> background;
   if constexpr (std::is_same_v<R, float>)
@@ -123,7 +123,7 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   rendering.stats.build_seconds = seconds_since(start);
   rendering.stats.scene_bytes = prepared.store->bytes();
   rendering.stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node) +
-                                prepared.hierarchy.place.size() * sizeof(std::int32_t);
+                                prepared.hierarchy.rank.size() * sizeof(std::int32_t);
 
   // Not before: while a scene is frozen, memory is fullest.
   const std::uint32_t more = options.profile.average_corners ? 1 : 0;
@@ -181,7 +181,7 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options) {
     return render_right_or_wrong(std::forward<SceneRef>(scene), options);
   Result<Rendering> rendering = render_right_or_wrong(
       mistaken_scene(std::forward<SceneRef>(scene), options), mistaken_options(options));
-  if (rendering) put_into(rendering->image, options.mistake);
+  if (rendering) apply_mistake(rendering->image, options.mistake);
   return rendering;
 }
 

@@ -109,12 +109,12 @@ TileRect ScreenBounds::part_of(const TileRect& tile) const {
   const std::int32_t x_end = tile.x + tile.width, y_end = tile.y + tile.height;
   std::int32_t left = x_end, right = tile.x, top = y_end, bottom = tile.y;
   for (std::size_t i = 0; i < left_.size(); ++i) {
-    const bool meets =
+    const bool crosses =
         left_[i] < x_end && right_[i] > tile.x && top_[i] < y_end && bottom_[i] > tile.y;
-    left = meets ? std::min(left, left_[i]) : left;
-    right = meets ? std::max(right, right_[i]) : right;
-    top = meets ? std::min(top, top_[i]) : top;
-    bottom = meets ? std::max(bottom, bottom_[i]) : bottom;
+    left = crosses ? std::min(left, left_[i]) : left;
+    right = crosses ? std::max(right, right_[i]) : right;
+    top = crosses ? std::min(top, top_[i]) : top;
+    bottom = crosses ? std::max(bottom, bottom_[i]) : bottom;
   }
   left = std::max(left, tile.x), right = std::min(right, x_end);
   top = std::max(top, tile.y), bottom = std::min(bottom, y_end);

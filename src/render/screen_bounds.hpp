@@ -18,7 +18,7 @@ class ScreenBounds {
   template <class R>
   ScreenBounds(const FrozenScene<R>& scene, std::uint32_t width, std::uint32_t height);
 
-  /// The part of a tile that they cover: no ray through a pixel outside of it meets a shape. Of no
+  /// The part of a tile that they cover: no ray through a pixel outside of it hits a shape. Of no
   /// size where they cover none.
   TileRect part_of(const TileRect& tile) const;
 

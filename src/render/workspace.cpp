@@ -32,8 +32,8 @@ void place_all(Layout& layout, Level<R>* levels, int level_count, Scratch<R>& s,
                std::size_t batch) {
   layout.place(batch, s.t, s.px, s.py, s.pz, s.nx, s.ny, s.nz, s.vx, s.vy, s.vz, s.offset, s.inside,
                s.lx, s.ly, s.lz, s.lit);
-  layout.place(batch, s.fox, s.foy, s.foz, s.fdx, s.fdy, s.fdz, s.fdistance);
-  layout.place(batch, s.slot, s.material, s.feeler_hit);
+  layout.place(batch, s.sox, s.soy, s.soz, s.sdx, s.sdy, s.sdz, s.sdistance);
+  layout.place(batch, s.slot, s.material, s.shadow_ray_hit);
   for (int i = 0; i < level_count; ++i) {
     RayArrays<R>& rays = levels[i].rays;
     layout.place(2 * batch, rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, rays.r, rays.g,

@@ -171,7 +171,7 @@ void Comments::shadows() {
   if (facts_.rays.shadow == 0) return say(Word::report_no_feelers);
   std::uint64_t blocked = 0;
   for (const LightFacts& light : facts_.lights) blocked += light.blocked;
-  say(Word::report_feelers, count(Counted::feeler, facts_.rays.shadow), grouped(blocked),
+  say(Word::report_feelers, count(Counted::shadow_ray, facts_.rays.shadow), grouped(blocked),
       share(blocked, facts_.rays.shadow));
   if (blocked == 0) return say(Word::report_no_shadow);
   if (facts_.change.pixels > 0) say(Word::report_shadows);

@@ -30,16 +30,16 @@ struct Change {
   std::uint64_t on_background = 0;  ///< changed pixels that show no shape
 };
 
-/// One light at the points that rays from the eye meet.
+/// One light at the points that rays from the eye hit.
 struct LightFacts {
   std::uint64_t facing = 0;   ///< points on a surface that faces it
   std::uint64_t away = 0;     ///< L·N < 0
-  std::uint64_t blocked = 0;  ///< facing, but the feeler meets a shape
+  std::uint64_t blocked = 0;  ///< facing, but the shadow ray hits a shape
 };
 
-/// A shape that feelers from points that the eye sees meet first.
+/// A shape that shadow rays from points that the eye sees hit first.
 struct ShadowFacts {
-  ShapePixels by;         ///< pixels with such a feeler
+  ShapePixels by;         ///< pixels with such a shadow ray
   ShapePixels mostly_on;  ///< the shape where most of these pixels have it
 };
 
@@ -55,13 +55,13 @@ struct StageFacts {
   RayCounts rays;
   double build_seconds = 0, render_seconds = 0;
   Change change;                   ///< of the first stage: against nothing, `pixels` is 0
-  std::uint64_t points = 0;        ///< that rays from the eye meet
-  std::uint64_t later_points = 0;  ///< that reflected and refracted rays meet
+  std::uint64_t points = 0;        ///< that rays from the eye hit
+  std::uint64_t later_points = 0;  ///< that reflected and refracted rays hit
   std::vector<LightFacts> lights;  ///< where the stage has diffuse or specular terms
   std::uint64_t unlit = 0;         ///< points that no light reaches, as far as the stage checks it
   std::vector<ShadowFacts> shadows;
-  std::uint64_t shadowed = 0;             ///< pixels with a feeler that meets a shape
-  std::vector<ShapePixels> mirrored;      ///< shapes by the pixels where a reflected ray meets them
+  std::uint64_t shadowed = 0;             ///< pixels with a shadow ray that hits a shape
+  std::vector<ShapePixels> mirrored;      ///< shapes by the pixels where a reflected ray hits them
   std::vector<ShapePixels> seen_through;  ///< the same for refracted rays; no glass from inside
   std::uint64_t entering = 0, leaving = 0;  ///< refracted rays into shapes and out of them
   TotalFacts total;
@@ -81,7 +81,7 @@ struct SceneFacts {
   std::size_t lights = 0;         ///< in the scene
   bool dark = false;              ///< no ambient light
   std::uint64_t covered = 0;      ///< pixels that show a shape, if only in a corner
-  std::vector<ShapePixels> seen;  ///< shapes that rays from the eye meet
+  std::vector<ShapePixels> seen;  ///< shapes that rays from the eye hit
   std::array<StageFacts, 7> stages;
 };
 

@@ -95,7 +95,7 @@ void StageListener::at_hits(const Level<float>& level, const Scratch<float>& s) 
   }
 }
 
-void StageListener::at_light(std::int32_t light, std::size_t feelers, const Level<float>& level,
+void StageListener::at_light(std::int32_t light, std::size_t shadow_rays, const Level<float>& level,
                              const Scratch<float>& s) {
   if (depth_of(level) > 0) return;
   RayTally::Light& facts = tally_.lights[static_cast<std::size_t>(light)];
@@ -105,8 +105,8 @@ void StageListener::at_light(std::int32_t light, std::size_t feelers, const Leve
     facts.away += counted(h);
     if (s.lit[h] > 0) reached_[h] = true;
   }
-  for (std::size_t i = 0; i < feelers; ++i) {
-    const auto h = static_cast<std::size_t>(s.feeler_hit[i]);
+  for (std::size_t i = 0; i < shadow_rays; ++i) {
+    const auto h = static_cast<std::size_t>(s.shadow_ray_hit[i]);
     facts.facing += counted(h);
     facts.away -= counted(h);
     if (s.lit[h] > 0) continue;
@@ -129,10 +129,10 @@ void StageListener::at_children(const Level<float>& level, const Level<float>& n
   const Scratch<float>& s = workspace_.workspace().scratch;
   roots_[depth + 1].resize(static_cast<std::size_t>(next.ray_count));
   refracted_[depth + 1].resize(static_cast<std::size_t>(next.ray_count));
-  const auto take = [&](std::size_t h, std::int32_t place, bool refracted) {
-    if (place < 0) return;
+  const auto take = [&](std::size_t h, std::int32_t index, bool refracted) {
+    if (index < 0) return;
     const std::size_t parent = begin + static_cast<std::size_t>(level.hits.ray[h]);
-    const auto child = static_cast<std::size_t>(place);
+    const auto child = static_cast<std::size_t>(index);
     roots_[depth + 1][child] = roots_[depth][parent];
     refracted_[depth + 1][child] = refracted_[depth][parent] || refracted;
     tally_.deepest = std::max(tally_.deepest, depth + 1);
@@ -143,7 +143,7 @@ void StageListener::at_children(const Level<float>& level, const Level<float>& n
     if (!settings_.terms.refraction || material(s, h, kRefraction) == 0) continue;
     const std::size_t from = root(depth, level, h);
     const bool leaves = s.inside[h] > 0;
-    const bool total = !(terms_.at(Term::quarter_d, h) >= 0);
+    const bool total = !(terms_.at(Quantity::quarter_d, h) >= 0);
     if (total) {
       note(Tie::total, s.slot[level.hits.ray[h]], -1, from);
       note(Tie::total, kAnyShape, -1, from);

@@ -13,11 +13,11 @@ namespace zraka {
 
 /// What a pixel can have to do with a shape.
 enum class Tie : std::uint8_t {
-  seen,          ///< a ray from the eye meets it; noted for silhouettes only
-  shadow_by,     ///< a feeler from a point that the eye sees meets it first
+  seen,          ///< a ray from the eye hits it; noted for silhouettes only
+  shadow_by,     ///< a shadow ray from a point that the eye sees hits it first
   shadow_on,     ///< the same, with the shape that the point is on
-  mirrored,      ///< a reflected ray meets it
-  seen_through,  ///< a refracted ray, or one that comes from it, meets it; not glass from inside
+  mirrored,      ///< a reflected ray hits it
+  seen_through,  ///< a refracted ray, or one that comes from it, hits it; not glass from inside
   total          ///< a ray is reflected totally at it
 };
 
@@ -59,7 +59,7 @@ class StageListener {
   const RayTally& tally() const { return tally_; }
 
   void at_hits(const Level<float>& level, const Scratch<float>& s);
-  void at_light(std::int32_t light, std::size_t feelers, const Level<float>& level,
+  void at_light(std::int32_t light, std::size_t shadow_rays, const Level<float>& level,
                 const Scratch<float>& s);
   void at_children(const Level<float>& level, const Level<float>& next);
   void at_fold(const Level<float>&) {}
@@ -84,7 +84,7 @@ class StageListener {
   TileRect tile_{};
   std::vector<TileRect> places_;  ///< by ray from the eye: its pixels, in the tile
   std::vector<bool> counts_;      ///< by ray from the eye: false if it is another tile's, too
-  std::vector<std::int32_t> first_slot_;           ///< by ray from the eye: what it meets
+  std::vector<std::int32_t> first_slot_;           ///< by ray from the eye: what it hits
   std::vector<std::vector<std::uint32_t>> roots_;  ///< by level and ray
   std::vector<std::vector<bool>> refracted_;       ///< by level and ray: was it, or its parents?
   std::vector<bool> reached_;                      ///< by point: does a light reach it?

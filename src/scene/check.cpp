@@ -27,7 +27,7 @@ constexpr double kFarthest = 1e100;
 
 bool finite_material(const Material& m) {
   return finite(m.ambient) && finite(m.diffuse) && finite(m.specular) && finite(m.shininess) &&
-         finite(m.reflection) && finite(m.refraction) && finite(m.refractive);
+         finite(m.reflection) && finite(m.refraction) && finite(m.ior);
 }
 
 template <class Shape>

@@ -61,7 +61,7 @@ void freeze_material(const Material& m, const Profile& profile, R* row) {
   row[kShininess] = narrow<R>(m.shininess);
   row[kReflection] = narrow<R>(m.reflection);
   row[kRefraction] = narrow<R>(m.refraction);
-  const double into = profile.index_is_ratio ? m.refractive : 1 / m.refractive;
+  const double into = profile.index_is_ratio ? m.ior : 1 / m.ior;
   row[kRatioIn] = narrow<R>(into);
   row[kRatioOut] = narrow<R>(1 / into);
   std::fill(row + kRatioOut + 1, row + kMaterialReals, R(0));
@@ -146,7 +146,7 @@ const auto& objects_as(const Scene& scene, const ChosenKinds& chosen) {
 #undef ZRAKA_ELSE
 }
 
-/// The place of the kind's first shape in the scene as it was read.
+/// The index of the kind's first shape in the scene as it was read.
 template <class Shape>
 std::int32_t first_id_of(const Scene& scene) {
   std::size_t first = 0;

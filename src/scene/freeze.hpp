@@ -43,6 +43,6 @@ void refer_to(const FrozenScene<R>& scene, BuildRef* refs);
 /// Puts the shapes into the order of the hierarchy, if there is one, and points the scene to its
 /// nodes: the scene is then ready.
 template <class R>
-void finish(FrozenStore<R>& store, const BuiltHierarchy& hierarchy);
+void reorder_by_leaf(FrozenStore<R>& store, const BuiltHierarchy& hierarchy);
 
 }  // namespace zraka

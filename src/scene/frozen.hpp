@@ -68,7 +68,7 @@ struct FrozenShapes {
   const R* rows;
   static constexpr std::int32_t kRowReals = (ShapeTraits<Shape>::kHitReals + 3) / 4 * 4;
   const std::int32_t* material;
-  const std::int32_t* id;  ///< place in the scene as it was read, counted over all kinds; of equal
+  const std::int32_t* id;  ///< index in the scene as it was read, counted over all kinds; of equal
                            ///< hits the least wins
   std::int32_t count;
   /// Slots number the primitives of all kinds in the order of these arrays.

@@ -12,7 +12,7 @@ namespace zraka {
 /// Children of a node; also the most primitives of a leaf, which is one register of the widest set.
 inline constexpr int kNodeWidth = 16;
 
-/// Leaves of up to so many shapes are small: rays that are few meet their shapes without visiting
+/// Leaves of up to so many shapes are small: rays that are few hit their shapes without visiting
 /// them.
 inline constexpr std::int32_t kMostInSmallLeaf = 2;
 
@@ -39,7 +39,7 @@ ZRAKA_INLINE constexpr std::int32_t leaf_kind(std::int32_t leaf) {
 
 /// Sixteen boxes in the engine's frame, a column for each side; boxes of missing children are empty
 /// (lower above upper). Boxes are larger than what they hold by what a primitive's intersection can
-/// err, so that no ray that meets a primitive by its arithmetic can miss the box by its own.
+/// err, so that no ray that hits a primitive by its arithmetic can miss the box by its own.
 struct alignas(64) Node {
   float lower_x[kNodeWidth], lower_y[kNodeWidth], lower_z[kNodeWidth];
   float upper_x[kNodeWidth], upper_y[kNodeWidth], upper_z[kNodeWidth];
@@ -60,9 +60,9 @@ static_assert(kNodeWidth <= 16);
 struct Hierarchy {
   const Node* nodes = nullptr;  ///< the root is the first
   std::int32_t node_count = 0;
-  /// By slot: its place in the order of the leaves, over all kinds; nullptr where that is the
+  /// By slot: its rank in the order of the leaves, over all kinds; nullptr where that is the
   /// slot's own number, and in large scenes, which have no memory for it.
-  const std::int32_t* place = nullptr;
+  const std::int32_t* rank = nullptr;
 };
 
 /// A primitive as the builder sees it: its box, already enlarged, and its slot as it was frozen.
@@ -77,8 +77,8 @@ struct BuiltHierarchy {
   /// The primitives' slots as they were frozen, in the order of the leaves, kind after kind; empty
   /// where there are no nodes.
   std::vector<std::int32_t> order;
-  /// By slot in this order: its place among all leaves' primitives; empty where that is the slot.
-  std::vector<std::int32_t> place;
+  /// By slot in this order: its rank among all leaves' primitives; empty where that is the slot.
+  std::vector<std::int32_t> rank;
 };
 
 }  // namespace zraka

@@ -52,7 +52,7 @@ double squared_distance(const Vec3& a, const Vec3& b) {
 /// Cuts ears off a polygon (Meisters 1975): corners that turn left and have no other corner in
 /// their triangle. Of these the one comes first whose cut is shortest: what is round is halved
 /// again and again, where corners taken as they come would make a fan of triangles that reach all
-/// over it, and be met by every ray that comes near.
+/// over it, and be hit by every ray that comes near.
 class EarCutter {
  public:
   explicit EarCutter(const std::vector<Vec3>& corners)

@@ -59,7 +59,7 @@ struct ShapeTraits<AnchoredSphere> : ShapeTraits<Sphere> {
 namespace ZRAKA_ISA {
 
 /// What spheres of both kinds share; the power of a point is |p - centre|² - r².
-template <class L, class Power>
+template <class L, class PointPower>
 struct SphereLanes {
   using F = typename L::F;
 
@@ -74,7 +74,7 @@ struct SphereLanes {
     const F discriminant = s[3] * s[3] - dot(nearest, nearest);
     if (!any(discriminant >= F(0.0f))) return F(-1.0f);
     const F root = sqrt(max(discriminant, F(0.0f)));
-    const F c = Power::of_point(s, origin);
+    const F c = PointPower::of_point(s, origin);
     const auto ahead = b >= F(0.0f);
     const F q = b + select(ahead, root, -root);  // the root of larger magnitude; c/q is the other
     const auto take_q = both(c < F(0.0f), ahead);
@@ -86,7 +86,7 @@ struct SphereLanes {
     // A Newton step along the ray takes the point to the surface; where the ray grazes, along the
     // normal.
     const V3<F> near_center{point.x - s[0], point.y - s[1], point.z - s[2]};
-    const F power = Power::of_point(s, point);
+    const F power = PointPower::of_point(s, point);
     const F slope = dot(near_center, direction);
     const auto steep = slope * slope > s[3] * s[3] * F(0x1p-12f);
     const F along = select(steep, power / (slope + slope), F(0.0f));
@@ -96,9 +96,9 @@ struct SphereLanes {
     const V3<F> on_surface = (point - direction * along) - normal * below;
     // 16 half units in the last place of the sum of what is rounded are over twice what the
     // roundings here and in the next ray's quadratic add up to.
-    const F magnitude = largest(on_surface) + Power::magnitude(s, point);
+    const F magnitude = largest(on_surface) + PointPower::magnitude(s, point);
     // Where the ray began tells the sides apart also where it only grazes, unlike the sign of N·V.
-    return {on_surface, normal, magnitude * F(kOffset), Power::of_point(s, origin) < F(0.0f)};
+    return {on_surface, normal, magnitude * F(kOffset), PointPower::of_point(s, origin) < F(0.0f)};
   }
 
   static ZRAKA_INLINE F largest(const V3<F>& v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
@@ -108,7 +108,7 @@ struct SphereLanes {
 };
 
 template <class L>
-struct PlainPower {
+struct PlainPointPower {
   using F = typename L::F;
   static ZRAKA_INLINE F of_point(const F* s, const V3<F>& p) {
     const V3<F> from_center{p.x - s[0], p.y - s[1], p.z - s[2]};
@@ -121,7 +121,7 @@ struct PlainPower {
 /// From the anchor a as g·(g + 2w) with g = p - a, w = a - centre: for a sphere that is large
 /// beside the scene the squares would leave no digits for the distance from its surface.
 template <class L>
-struct AnchoredPower {
+struct AnchoredPointPower {
   using F = typename L::F;
   static ZRAKA_INLINE F of_point(const F* s, const V3<F>& p) {
     const V3<F> g{p.x - s[4], p.y - s[5], p.z - s[6]};
@@ -130,14 +130,14 @@ struct AnchoredPower {
   }
   /// Distances to the anchor.
   static ZRAKA_INLINE F magnitude(const F* s, const V3<F>& p) {
-    return SphereLanes<L, AnchoredPower>::largest({p.x - s[4], p.y - s[5], p.z - s[6]});
+    return SphereLanes<L, AnchoredPointPower>::largest({p.x - s[4], p.y - s[5], p.z - s[6]});
   }
 };
 
 template <class L>
-struct ShapeLanes<Sphere, L> : SphereLanes<L, PlainPower<L>> {};
+struct ShapeLanes<Sphere, L> : SphereLanes<L, PlainPointPower<L>> {};
 template <class L>
-struct ShapeLanes<AnchoredSphere, L> : SphereLanes<L, AnchoredPower<L>> {};
+struct ShapeLanes<AnchoredSphere, L> : SphereLanes<L, AnchoredPointPower<L>> {};
 
 }  // namespace ZRAKA_ISA
 #endif

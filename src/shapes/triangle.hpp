@@ -63,7 +63,7 @@ struct TriangleLanes {
   /// follows most, after Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1)
   /// (2013), here scaled so that nothing is divided. A corner comes out the same for all triangles
   /// that it belongs to, and an edge function only changes sign with the order of its ends: so
-  /// neighbours agree on which of them a ray meets, and none slips through between.
+  /// neighbours agree on which of them a ray hits, and none slips through between.
   static ZRAKA_INLINE F intersect(const F* s, const V3<F>& origin, const V3<F>& direction) {
     const F x = abs(direction.x), y = abs(direction.y), z = abs(direction.z);
     const auto along_z = both(z >= x, z >= y);
@@ -94,13 +94,13 @@ struct TriangleLanes {
     const F bx = b.x * d.z - b.z * d.x, by = b.y * d.z - b.z * d.y;
     const F cx = c.x * d.z - c.z * d.x, cy = c.y * d.z - c.z * d.y;
     const F u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
-    const auto met = either(min(u, min(v, w)) >= F(0.0f), max(u, max(v, w)) <= F(0.0f));
-    if (!any(met)) return F(-1.0f);
+    const auto inside = either(min(u, min(v, w)) >= F(0.0f), max(u, max(v, w)) <= F(0.0f));
+    if (!any(inside)) return F(-1.0f);
     const F above = u * a.z + v * b.z + w * c.z, below = (u + v + w) * d.z;
-    // Rays that start on a face, as feelers do, have its plane behind them.
+    // Rays that start on a face, as shadow rays do, have its plane behind them.
     const auto ahead =
         either(both(above > F(0.0f), below > F(0.0f)), both(above < F(0.0f), below < F(0.0f)));
-    if (!any(both(met, ahead))) return F(-1.0f);
+    if (!any(both(inside, ahead))) return F(-1.0f);
     const F t = above / below;
     // Seen edge-on all of this is noise; what counts as a hit must lie within the triangle's
     // bounds, for only then does every way through the hierarchy find it.
@@ -111,7 +111,7 @@ struct TriangleLanes {
     const auto bounded = both(within(direction.x * t, seen_a.x, seen_b.x, seen_c.x),
                               both(within(direction.y * t, seen_a.y, seen_b.y, seen_c.y),
                                    within(direction.z * t, seen_a.z, seen_b.z, seen_c.z)));
-    return select(both(met, bounded), t, F(-1.0f));
+    return select(both(inside, bounded), t, F(-1.0f));
   }
 
   /// `point` along the ray onto the plane, and the offset that clears it; the normal is not set.

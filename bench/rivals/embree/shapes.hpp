@@ -36,7 +36,7 @@ struct Sphere4 {
     return {low.x, low.y, low.z, 0, high.x, high.y, high.z, 0};
   }
 
-  /// Where unit directions meet it between `near` and `far`; kNever if nowhere.
+  /// Where unit directions hit it between `near` and `far`; kNever if nowhere.
   template <class F>
   F meet(Three<F> origin, Three<F> direction, F near, F far) const {
     const Three<F> from_center = origin - spread<F>(center);

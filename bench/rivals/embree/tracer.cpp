@@ -43,13 +43,13 @@ void put_ray(Ray& ray, Three<Float16> origin, Three<Float16> direction, Float16 
 
 }  // namespace
 
-/// Sixteen rays on their way: as they start, what they meet, how it looks there.
+/// Sixteen rays on their way: as they start, what they hit, how it looks there.
 struct Tracer::Packet {
   Three<Float16> origin, direction;
   Float16 weight;
   Int16 pixel;
   unsigned lanes;  ///< that are rays
-  unsigned hits;   ///< that met something
+  unsigned hits;   ///< that hit something
   Float16 t, u, v;
   Three<Float16> flat_normal;
   Int16 geometry, primitive, material;
@@ -259,9 +259,9 @@ Three<Float16> Tracer::light(const Packet& packet) {
     const Three<Float16> way = to_light * (1.0f / distance);
     const Float16 facing = dot(way, packet.normal);
     const Int16 wanted = hit & (facing >= 0.0f);
-    const unsigned feelers = bits(wanted);
-    if (feelers == 0) continue;
-    counts_.shadow += static_cast<std::uint64_t>(__builtin_popcount(feelers));
+    const unsigned shadow_rays = bits(wanted);
+    if (shadow_rays == 0) continue;
+    counts_.shadow += static_cast<std::uint64_t>(__builtin_popcount(shadow_rays));
     const Int16 lit = find_lit(packet, wanted, way, distance);
     if (bits(lit) == 0) continue;
     const Three<Float16> color = all(light.color);

@@ -28,7 +28,7 @@ void attach(RTCScene scene, RTCGeometry geometry, Geometry id) {
 }
 
 void add_material(const Material& m, const Color& light, std::vector<float>& rows) {
-  const auto index = static_cast<float>(m.refractive);
+  const auto index = static_cast<float>(m.ior);
   const Vec ambient = narrow(light) * narrow(m.ambient), diffuse = narrow(m.diffuse),
             specular = narrow(m.specular);
   const float row[kMaterialColumns] = {ambient.x,

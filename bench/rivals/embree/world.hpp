@@ -31,7 +31,7 @@ struct Light {
   Vec position, color;
 };
 
-/// How spheres are handed to Embree: as callbacks that meet sixteen rays at a time, which is faster
+/// How spheres are handed to Embree: as callbacks that hit sixteen rays at a time, which is faster
 /// for packets, or as its own points, which is built faster and takes less memory.
 enum class Spheres { callbacks, points };
 
@@ -59,7 +59,7 @@ struct World {
   std::vector<float> corner_normals;  ///< nine numbers a smooth triangle
   std::vector<Sphere4> spheres;
   std::vector<OpenCone> cones;
-  bool coherence_pays;  ///< whether Embree is to be told which rays go together
+  bool coherence_pays;  ///< whether Embree is to be told which rays are coherent
   std::atomic<std::int64_t> bytes{0}, most_bytes{0};  ///< by Embree's own count
 };
 

@@ -32,8 +32,8 @@ void refer_to(const FrozenScene<R>& scene, BuildRef* refs) {
   // Intersections err by a few units in the last place of the numbers that they are made of:
   // coordinates in the scene, at most 1 in this frame, and the eye's. A third of the margin is
   // theirs (hit_margin()), the rest is more than rounding in the test of a box takes. It is less
-  // than what feelers from a large flat shape start off its surface, so that they leave its box at
-  // once.
+  // than what shadow rays from a large flat shape start off its surface, so that they leave its box
+  // at once.
   const V3<R>& eye = scene.camera.eye;
   const double margin =
       0x3p-22 *
@@ -90,14 +90,14 @@ void add_rows(FrozenStore<R>& store) {
 }  // namespace
 
 template <class R>
-void finish(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
+void reorder_by_leaf(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
   FrozenScene<R>& scene = store.scene;
   scene.hierarchy = {hierarchy.nodes.empty() ? nullptr : hierarchy.nodes.data(),
                      static_cast<std::int32_t>(hierarchy.nodes.size()),
-                     hierarchy.place.empty() ? nullptr : hierarchy.place.data()};
+                     hierarchy.rank.empty() ? nullptr : hierarchy.rank.data()};
   store.ids.resize(store.materials.size());
   std::int32_t* id = store.ids.data();
-  const auto finish_shapes = [&]<class Shape>(FrozenShapes<R, Shape>& shapes) {
+  const auto reorder_shapes = [&]<class Shape>(FrozenShapes<R, Shape>& shapes) {
     const auto count = static_cast<std::size_t>(shapes.count);
     const std::int32_t* order =
         hierarchy.order.empty() ? nullptr : hierarchy.order.data() + shapes.first_slot;
@@ -129,9 +129,9 @@ void finish(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
     for (const R* column : shapes.column) reorder(column, store.reals);
     reorder(shapes.material, store.materials);
   };
-#define ZRAKA_FINISH(Type, plural) finish_shapes(scene.plural);
-  ZRAKA_KINDS(ZRAKA_FINISH)
-#undef ZRAKA_FINISH
+#define ZRAKA_REORDER(Type, plural) reorder_shapes(scene.plural);
+  ZRAKA_KINDS(ZRAKA_REORDER)
+#undef ZRAKA_REORDER
   if (std::is_same_v<R, float> && !hierarchy.order.empty() &&
       hierarchy.order.size() < kTooManyForRows)
     add_rows(store);
@@ -141,7 +141,7 @@ template std::vector<std::int32_t> kind_starts_of(const FrozenScene<float>&);
 template std::vector<std::int32_t> kind_starts_of(const FrozenScene<double>&);
 template void refer_to(const FrozenScene<float>&, BuildRef*);
 template void refer_to(const FrozenScene<double>&, BuildRef*);
-template void finish(FrozenStore<float>&, const BuiltHierarchy&);
-template void finish(FrozenStore<double>&, const BuiltHierarchy&);
+template void reorder_by_leaf(FrozenStore<float>&, const BuiltHierarchy&);
+template void reorder_by_leaf(FrozenStore<double>&, const BuiltHierarchy&);
 
 }  // namespace zraka
