@@ -2,31 +2,27 @@
 // The commands of the program: one file each, and this list of them.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
+#include "command.hpp"
 
 namespace zraka::app {
 
-/// What the program ends with; compare has codes of its own.
-enum ExitCode { kDone = 0, kFailed = 1, kWrongUsage = 2, kInterrupted = 130 };
+/// Adds its command to the program.
+using AddCommand = void (*)(Command& program);
 
-/// Adds its subcommand to the program, and gives back what it does once the words are read.
-using Command = std::function<int()>;
-using AddCommand = CLI::App* (*)(CLI::App& program, Command& command);
-
-CLI::App* add_render(CLI::App& program, Command& command);
-CLI::App* add_stages(CLI::App& program, Command& command);
-CLI::App* add_explain(CLI::App& program, Command& command);
-CLI::App* add_influence(CLI::App& program, Command& command);
-CLI::App* add_generate(CLI::App& program, Command& command);
-CLI::App* add_info(CLI::App& program, Command& command);
-CLI::App* add_compare(CLI::App& program, Command& command);
-CLI::App* add_grade(CLI::App& program, Command& command);
-CLI::App* add_quiz(CLI::App& program, Command& command);
-CLI::App* add_report(CLI::App& program, Command& command);
+void add_render(Command& program);
+void add_stages(Command& program);
+void add_explain(Command& program);
+void add_influence(Command& program);
+void add_generate(Command& program);
+void add_info(Command& program);
+void add_compare(Command& program);
+void add_report(Command& program);
+void add_grade(Command& program);
+void add_quiz(Command& program);
+void add_help(Command& program);
 
 inline constexpr AddCommand kCommands[] = {add_render,   add_stages, add_explain, add_influence,
                                            add_generate, add_info,   add_compare, add_report,
-                                           add_grade,    add_quiz};
+                                           add_grade,    add_quiz,   add_help};
 
 }  // namespace zraka::app

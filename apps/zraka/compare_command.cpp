@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <memory>
 #include <new>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "compare/words.hpp"
 #include "core/file.hpp"
+#include "core/json.hpp"
 #include "render_options.hpp"
 #include "terminal.hpp"
 #include "zraka/zraka.hpp"
@@ -25,7 +25,7 @@ enum CompareCode { kWithin = 0, kDiffer = 1, kTrouble = 2 };
 /// Both pictures, what is compared of them and the filters' rows are in memory at once: 8K fits.
 constexpr std::uint64_t kMostPixels = kMaxPixels / 4;
 
-struct Words {
+struct Arguments {
   std::string a, b;
   CompareOptions options;
   std::string format = "text", transfer = "srgb";
@@ -41,8 +41,6 @@ int trouble(const Diagnostics& problems) {
 std::string shown_name(const std::string& path) {
   return path == "-" ? "standard input" : path;
 }
-
-using Json = nlohmann::ordered_json;
 
 Json json_of(const ReadImage& read, const std::string& name) {
   return {{"file", name},
@@ -77,16 +75,16 @@ Json json_of(const std::vector<PixelPair>& pairs, const Comparison& c) {
 
 void print(const Json& json) {
   // Names of files may be anything; what is no UTF-8 is replaced.
-  std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  std::puts(json.dump(2).c_str());
 }
 
-void print_json(const Comparison& c, const Words& words) {
+void print_json(const Comparison& c, const Arguments& arguments) {
   const Errors& e = c.errors;
   Json json = {{"within", c.within},
                {"equal", e.largest == 0},
                {"same_size", true},
-               {"a", json_of(c.a, shown_name(words.a))},
-               {"b", json_of(c.b, shown_name(words.b))},
+               {"a", json_of(c.a, shown_name(arguments.a))},
+               {"b", json_of(c.b, shown_name(arguments.b))},
                {"compared", {{"bits", c.bits}, {"floats", c.floats}}},
                {"unit", "1/255"},
                {"tolerance", c.options.tolerance},
@@ -108,93 +106,96 @@ void print_json(const Comparison& c, const Words& words) {
   print(json);
 }
 
-void print_text(const Comparison& c, const Words& words) {
+void print_text(const Comparison& c, const Arguments& arguments) {
   fmt::print("{}\n", verdict_on(c));
   const auto print_lines = [](const Lines& lines) {
     for (const auto& [label, value] : lines) fmt::print("  {:<9} {}\n", label, value);
   };
-  print_lines(measure_lines(c, shown_name(words.a), shown_name(words.b)));
+  print_lines(measure_lines(c, shown_name(arguments.a), shown_name(arguments.b)));
   print_lines(pixel_lines(c));
 }
 
-int sizes_differ(const ReadImage& a, const ReadImage& b, const Words& words) {
-  if (words.quiet) return kDiffer;
-  if (words.format == "json") {
+int sizes_differ(const ReadImage& a, const ReadImage& b, const Arguments& arguments) {
+  if (arguments.quiet) return kDiffer;
+  if (arguments.format == "json") {
     print({{"within", false},
            {"equal", false},
            {"same_size", false},
-           {"a", json_of(a, shown_name(words.a))},
-           {"b", json_of(b, shown_name(words.b))}});
+           {"a", json_of(a, shown_name(arguments.a))},
+           {"b", json_of(b, shown_name(arguments.b))}});
     return kDiffer;
   }
   fmt::print("The pictures have different sizes.\n  A         {}: {}\n  B         {}: {}\n",
-             shown_name(words.a), describe(a), shown_name(words.b), describe(b));
-  if (!words.heat.empty() || !words.html.empty())
+             shown_name(arguments.a), describe(a), shown_name(arguments.b), describe(b));
+  if (!arguments.heat.empty() || !arguments.html.empty())
     fmt::print("  There is nothing to draw: no heat map and no page were written.\n");
   return kDiffer;
 }
 
-Result<void> write_heat(const Comparison& c, const Words& words) {
+Result<void> write_heat(const Comparison& c, const Arguments& arguments) {
   const std::uint32_t width = c.a.image.width, height = c.a.image.height;
-  if (words.heat_of == "flip")
-    return write_png(heat_picture(c.flip.map, width, height), words.heat);
+  if (arguments.heat_of == "flip")
+    return write_png(heat_picture(c.flip.map, width, height), arguments.heat);
   const std::vector<float> map = difference_map(c.a.image, c.b.image);
-  return write_png(heat_picture(map, width, height, brightest_difference(map)), words.heat);
+  return write_png(heat_picture(map, width, height, brightest_difference(map)), arguments.heat);
 }
 
 /// A page is handed on, so it names files without their folders, unless only these differ.
-Result<void> write_page(const Comparison& c, const Words& words) {
-  std::string a = std::filesystem::path(shown_name(words.a)).filename().string();
-  std::string b = std::filesystem::path(shown_name(words.b)).filename().string();
-  if (a == b) a = shown_name(words.a), b = shown_name(words.b);
+Result<void> write_page(const Comparison& c, const Arguments& arguments) {
+  std::string a = std::filesystem::path(shown_name(arguments.a)).filename().string();
+  std::string b = std::filesystem::path(shown_name(arguments.b)).filename().string();
+  if (a == b) a = shown_name(arguments.a), b = shown_name(arguments.b);
   const Result<std::string> page = comparison_page(c, a, b);
   if (!page) return tl::make_unexpected(page.error());
-  return write_text_file(words.html, *page);
+  return write_text_file(arguments.html, *page);
 }
 
-void warn_of_curve(const Comparison& c, const Words& words) {
+void warn_of_curve(const Comparison& c, const Arguments& arguments) {
   Diagnostic note;
   note.severity = Severity::warning;
-  note.file = shown_name(c.a.floats ? words.b : words.a);
+  note.file = shown_name(c.a.floats ? arguments.b : arguments.a);
   note.message = fmt::format(
       "agrees much better (RMSE {:.4g} of 255) if it was written {} the sRGB "
       "curve",
-      255 * *c.better_by_other_transfer, words.transfer == "srgb" ? "without" : "with");
+      255 * *c.better_by_other_transfer, arguments.transfer == "srgb" ? "without" : "with");
   note.hint =
-      fmt::format("compare with --transfer {}", words.transfer == "srgb" ? "linear" : "srgb");
+      fmt::format("compare with --transfer {}", arguments.transfer == "srgb" ? "linear" : "srgb");
   show({note});
 }
 
-int run(Words words) {
-  words.options.transfer = words.transfer == "srgb" ? Transfer::srgb : Transfer::linear;
-  Result<ReadImage> a = read_image(words.a, kMostPixels);
-  Result<ReadImage> b = read_image(words.b, kMostPixels);
+int run(Arguments arguments) {
+  arguments.options.transfer = arguments.transfer == "srgb" ? Transfer::srgb : Transfer::linear;
+  Result<ReadImage> a = read_image(arguments.a, kMostPixels);
+  Result<ReadImage> b = read_image(arguments.b, kMostPixels);
   if (!a) show(a.error());
   if (!b) show(b.error());
   if (!a || !b) return kTrouble;
   if (a->image.width != b->image.width || a->image.height != b->image.height)
-    return sizes_differ(*a, *b, words);
-  words.options.perception = !words.quiet || !words.html.empty() || words.heat_of == "flip";
-  const Result<Comparison> c = compare(std::move(*a), std::move(*b), words.options);
+    return sizes_differ(*a, *b, arguments);
+  arguments.options.perception =
+      !arguments.quiet || !arguments.html.empty() || arguments.heat_of == "flip";
+  const Result<Comparison> c = compare(std::move(*a), std::move(*b), arguments.options);
   if (!c) return trouble(c.error());
-  if (!words.heat.empty())
-    if (const Result<void> written = write_heat(*c, words); !written)
+  if (!arguments.heat.empty())
+    if (const Result<void> written = write_heat(*c, arguments); !written)
       return trouble(written.error());
-  if (!words.html.empty())
-    if (const Result<void> written = write_page(*c, words); !written)
+  if (!arguments.html.empty())
+    if (const Result<void> written = write_page(*c, arguments); !written)
       return trouble(written.error());
-  if (!words.quiet && c->better_by_other_transfer) warn_of_curve(*c, words);
-  if (!words.quiet && words.format == "json") print_json(*c, words);
-  if (!words.quiet && words.format == "text") print_text(*c, words);
+  if (!arguments.quiet && c->better_by_other_transfer) warn_of_curve(*c, arguments);
+  if (!arguments.quiet && arguments.format == "json") print_json(*c, arguments);
+  if (!arguments.quiet && arguments.format == "text") print_text(*c, arguments);
   return c->within ? kWithin : kDiffer;
 }
 
 /// Nothing where the outputs have names of their own, else what is wrong.
-std::string problem_of_names(const Words& words) {
-  if (words.a == "-" && words.b == "-") return "Only one of the pictures can be standard input.";
-  if (words.heat == "-" && words.html == "-") return "Only one output can be standard output.";
-  for (const std::string& output : {words.heat, words.html})
-    for (const std::string& input : {words.a, words.b}) {
+std::string problem_of_names(const Arguments& arguments) {
+  if (arguments.a == "-" && arguments.b == "-")
+    return "Only one of the pictures can be standard input.";
+  if (arguments.heat == "-" && arguments.html == "-")
+    return "Only one output can be standard output.";
+  for (const std::string& output : {arguments.heat, arguments.html})
+    for (const std::string& input : {arguments.a, arguments.b}) {
       std::error_code ignored;
       if (!output.empty() && std::filesystem::equivalent(input, output, ignored))
         return fmt::format("{} is one of the pictures: what is written needs another name.",
@@ -204,14 +205,14 @@ std::string problem_of_names(const Words& words) {
 }
 
 /// run(), with the exit codes of this command also where memory or the output's disk ends.
-int run_to_code(Words words) {
-  if (const std::string problem = problem_of_names(words); !problem.empty()) {
+int run_to_code(Arguments arguments) {
+  if (const std::string problem = problem_of_names(arguments); !problem.empty()) {
     fmt::print(stderr, "{}\n", problem);
     return kWrongUsage;
   }
-  if (words.heat == "-" || words.html == "-") words.quiet = true;
+  if (arguments.heat == "-" || arguments.html == "-") arguments.quiet = true;
   try {
-    const int code = run(words);
+    const int code = run(arguments);
     return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 ? code : +kTrouble;
   } catch (const std::bad_alloc&) {
     Diagnostic problem;
@@ -222,43 +223,39 @@ int run_to_code(Words words) {
 
 }  // namespace
 
-CLI::App* add_compare(CLI::App& program, Command& command) {
-  auto words = std::make_shared<Words>();
-  CLI::App* app =
-      program.add_subcommand("compare", "say how far two pictures are apart, and where");
-  app->add_option("A", words->a,
-                  "a picture: PNG, JPEG, PPM, PGM, PFM or OpenEXR; - reads standard input")
-      ->required();
-  app->add_option("B", words->b, "the picture to compare with it")->required();
-  app->add_option("--tolerance", words->options.tolerance,
-                  "what a channel may differ by, in steps of 1/255 (default 0)")
-      ->check(CLI::Range(0.0, 255.0));
-  app->add_option("--allow", words->options.allow,
-                  "the share of the pixels that may differ by more, 0 to 1 (default 0)")
-      ->check(CLI::Range(0.0, 1.0));
-  app->add_option("--format", words->format, "text (default) or json")
-      ->check(CLI::IsMember({"text", "json"}));
-  app->add_option(
-         "--heat", words->heat,
-         "a PNG to draw the differences in, black to white by violet and red; - is standard output")
-      ->check(name_of_png());
-  app->add_option("--heat-of", words->heat_of,
-                  "what --heat draws: difference (default), the brightest being the largest; or "
-                  "flip")
-      ->check(CLI::IsMember({"difference", "flip"}));
-  app->add_option(
-      "--html", words->html,
-      "a page to write, with slider, blinking, heat maps and a loupe; all in one file;\n"
-      "- is standard output");
-  app->add_option("--transfer", words->transfer,
-                  "how light became integers, where floats meet integers: srgb (default) or\n"
-                  "linear, as the lab profile stores it")
-      ->check(CLI::IsMember({"srgb", "linear"}));
-  app->add_option("--places", words->options.places,
-                  "how many of the first and of the worst pixels to name (default 5)")
-      ->check(CLI::Range(0, 1000));
-  app->add_flag("-q,--quiet", words->quiet, "print nothing; the exit code tells");
-  app->footer(
+void add_compare(Command& program) {
+  auto arguments = std::make_shared<Arguments>();
+  Command app = program.add_command("compare", "say how far two pictures are apart, and where");
+  app.add("A", &arguments->a,
+          "a picture: PNG, JPEG, PPM, PGM, PFM or OpenEXR; - reads standard input")
+      .required();
+  app.add("B", &arguments->b, "the picture to compare with it").required();
+  app.add("--tolerance", &arguments->options.tolerance,
+          "what a channel may differ by, in steps of 1/255 (default 0)")
+      .range(0.0, 255.0);
+  app.add("--allow", &arguments->options.allow,
+          "the share of the pixels that may differ by more, 0 to 1 (default 0)")
+      .range(0.0, 1.0);
+  app.add("--format", &arguments->format, "text (default) or json").one_of({"text", "json"});
+  check_png_name(app.add(
+      "--heat", &arguments->heat,
+      "a PNG to draw the differences in, black to white by violet and red; - is standard output"));
+  app.add("--heat-of", &arguments->heat_of,
+          "what --heat draws: difference (default), the brightest being the largest; or "
+          "flip")
+      .one_of({"difference", "flip"});
+  app.add("--html", &arguments->html,
+          "a page to write, with slider, blinking, heat maps and a loupe; all in one file;\n"
+          "- is standard output");
+  app.add("--transfer", &arguments->transfer,
+          "how light became integers, where floats meet integers: srgb (default) or\n"
+          "linear, as the lab profile stores it")
+      .one_of({"srgb", "linear"});
+  app.add("--places", &arguments->options.places,
+          "how many of the first and of the worst pixels to name (default 5)")
+      .range(0, 1000);
+  app.add("-q,--quiet", &arguments->quiet, "print nothing; the exit code tells");
+  app.footer(
       "Examples:\n"
       "  zraka compare mine.png reference.png\n"
       "  zraka compare mine.png reference.png --tolerance 2 --allow 0.001 --quiet\n"
@@ -268,8 +265,7 @@ CLI::App* add_compare(CLI::App& program, Command& command) {
       "in\n"
       "size, 2 trouble: wrong usage, a picture that cannot be read, a file that cannot be "
       "written.");
-  app->callback([&command, words] { command = [words] { return run_to_code(*words); }; });
-  return app;
+  app.action([arguments] { return run_to_code(*arguments); });
 }
 
 }  // namespace zraka::app

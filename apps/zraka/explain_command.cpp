@@ -21,7 +21,7 @@
 namespace zraka::app {
 namespace {
 
-struct Words : RenderWords {
+struct Arguments : RenderArguments {
   std::string x, y;
   std::string output = "-";
   std::string format;  // "": by the output's name
@@ -43,92 +43,89 @@ bool is_rays_file(const std::string& path) {
   return extension == ".obj" || extension == ".gltf";
 }
 
-Result<void> write_rays(const Words& words, const Scene& scene, const Explanation& explanation) {
+Result<void> write_rays(const Arguments& arguments, const Scene& scene,
+                        const Explanation& explanation) {
   const std::vector<Segment> segments = segments_of(scene, explanation);
-  const bool obj = std::filesystem::path(words.rays).extension() == ".obj";
+  const bool obj = std::filesystem::path(arguments.rays).extension() == ".obj";
   return write_text_file(
-      words.rays,
+      arguments.rays,
       obj ? rays_as_obj(segments, fmt::format("rays of pixel ({}, {}) of {}", explanation.x,
-                                              explanation.y, shown(words.scene)))
+                                              explanation.y, shown(arguments.scene)))
           : rays_as_gltf(segments));
 }
 
 /// The explanation in the format that is asked for.
-Result<std::string> text_for(const Words& words, Scene& scene, const RenderOptions& options,
+Result<std::string> text_for(const Arguments& arguments, Scene& scene, const RenderOptions& options,
                              Explainer& explainer, const Explanation& explanation) {
   constexpr std::uint32_t kNeighbours = 15;
-  const Language language = *language_named(words.language);
-  const ProfileName profile = words.profile_name(scene);
-  const std::string format = format_of(words.format, words.output);
+  const Language language = *language_named(arguments.language);
+  const ProfileName profile = arguments.profile_name(scene);
+  const std::string format = format_of(arguments.format, arguments.output);
   if (format == "json")
-    return to_json(explanation, words.scene, std::string(name_of(profile)),
+    return to_json(explanation, arguments.scene, std::string(name_of(profile)),
                    in_words(language, explanation));
   if (format == "text")
     return to_text(explanation, {.language = language,
-                                 .color = words.output == "-" && output_in_color(),
-                                 .scene = words.scene,
+                                 .color = arguments.output == "-" && output_in_color(),
+                                 .scene = arguments.scene,
                                  .profile = profile});
   PagePictures pictures{{}, explainer.around(explanation.x, explanation.y, kNeighbours)};
   Result<Image> picture = picture_for_page(scene, options);
   if (!picture) return tl::make_unexpected(picture.error());
   pictures.picture = std::move(*picture);
   return to_page(scene, explanation, pictures,
-                 {.language = language, .scene = words.scene, .profile = profile});
+                 {.language = language, .scene = arguments.scene, .profile = profile});
 }
 
-int run(const Words& words) {
-  Result<Scene> scene = words.load();
+int run(const Arguments& arguments) {
+  Result<Scene> scene = arguments.load();
   if (!scene) return fail(scene.error());
-  RenderOptions options = words.options(*scene);
-  options.terms = terms_of(*stage_named(words.stage));
+  RenderOptions options = arguments.options(*scene);
+  options.terms = terms_of(*stage_named(arguments.stage));
   Result<Explainer> explainer = Explainer::create(*scene, options);
   if (!explainer) return fail(explainer.error());
   const Result<Explanation> explanation =
-      explainer->pixel(*coordinate(words.x), *coordinate(words.y));
+      explainer->pixel(*coordinate(arguments.x), *coordinate(arguments.y));
   if (!explanation) return fail(explanation.error());
-  const Result<std::string> text = text_for(words, *scene, options, *explainer, *explanation);
+  const Result<std::string> text = text_for(arguments, *scene, options, *explainer, *explanation);
   if (!text) return fail(text.error());
-  if (!words.rays.empty()) {
-    const Result<void> written = write_rays(words, *scene, *explanation);
+  if (!arguments.rays.empty()) {
+    const Result<void> written = write_rays(arguments, *scene, *explanation);
     if (!written) return fail(written.error());
   }
-  const Result<void> written = write_text_file(words.output, *text);
+  const Result<void> written = write_text_file(arguments.output, *text);
   return written ? +kDone : fail(written.error());
 }
 
 }  // namespace
 
-CLI::App* add_explain(CLI::App& program, Command& command) {
-  auto words = std::make_shared<Words>();
-  CLI::App* app = program.add_subcommand(
-      "explain", "say why a pixel has its colour: its ray tree with every term");
-  words->add_to(*app);
-  const CLI::Validator whole = one_of("a whole number, 0 or more", [](const std::string& word) {
-    return coordinate(word).has_value();
-  });
-  app->add_option("X", words->x, "column of the pixel, from 0 at the left")
-      ->required()
-      ->check(whole);
-  app->add_option("Y", words->y, "row of the pixel, from 0 at the top")->required()->check(whole);
-  app->add_option("-o,--output", words->output,
-                  "the file to write; - (default) is standard output");
-  add_format_to(*app, words->format);
-  add_language_to(*app, words->language);
-  app->add_option("--stage", words->stage,
-                  "up to which stage of the lab, as render has it (default: all)")
-      ->check(one_of(
-          "a stage: 1…7, silhouette, ambient, diffuse, specular, shadows, reflection or refraction",
-          [](const std::string& word) { return stage_named(word).has_value(); }));
-  app->add_option("--rays", words->rays, "also write all rays as lines: NAME.obj or NAME.gltf")
-      ->check(one_of("the name of a .obj or a .gltf", is_rays_file));
-  app->footer(
+void add_explain(Command& program) {
+  auto arguments = std::make_shared<Arguments>();
+  Command app = program.add_command("explain",
+                                    "say why a pixel has its colour: its ray tree with every term");
+  arguments->add_to(app);
+  add_mistake_to(app, arguments->mistake);
+  constexpr auto kWhole = "a whole number, 0 or more";
+  const auto is_whole = [](const std::string& word) { return coordinate(word).has_value(); };
+  app.add("X", &arguments->x, "column of the pixel, from 0 at the left")
+      .required()
+      .check(kWhole, is_whole);
+  app.add("Y", &arguments->y, "row of the pixel, from 0 at the top")
+      .required()
+      .check(kWhole, is_whole);
+  app.add("-o,--output", &arguments->output, "the file to write; - (default) is standard output");
+  add_format_to(app, arguments->format);
+  add_language_to(app, arguments->language);
+  add_stage_to(app, arguments->stage);
+  app.add("--rays", &arguments->rays, "also write all rays as lines: NAME.obj or NAME.gltf")
+      .check("the name of a .obj or a .gltf", is_rays_file);
+  app.footer(
       "Examples:\n"
       "  zraka explain scenes/lab/input.txt 110 160\n"
       "  zraka explain input.txt 250 300 --stage shadows --lang hr\n"
       "  zraka explain input.txt 250 300 --format json | jq .tree.hit.lights\n"
       "  zraka explain input.txt 250 300 -o pixel.html --rays rays.gltf");
-  app->callback([&command, words] { command = [words] { return run(*words); }; });
-  return app;
+  app.action([arguments] { return run(*arguments); });
 }
 
 }  // namespace zraka::app

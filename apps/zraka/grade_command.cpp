@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Words : RenderWords {
+struct Arguments : RenderArguments {
   std::string submission, rubric, format, language = "en", output = "-";
   bool all = false, list = false;
 };
@@ -48,68 +48,67 @@ Result<std::vector<std::string>> submissions_in(const std::string& folder) {
   return paths;
 }
 
-int run(const Words& words) {
-  const Language language = *language_named(words.language);
-  if (words.list) return list_mistakes(language);
-  const Result<Scene> scene = words.load();
+int run(const Arguments& arguments) {
+  const Language language = *language_named(arguments.language);
+  if (arguments.list) return list_mistakes(language);
+  const Result<Scene> scene = arguments.load();
   if (!scene) return fail(scene.error());
-  Result<Rubric> rubric = words.rubric.empty() ? default_rubric() : read_rubric(words.rubric);
+  Result<Rubric> rubric =
+      arguments.rubric.empty() ? default_rubric() : read_rubric(arguments.rubric);
   if (!rubric) return fail(rubric.error());
-  std::vector<std::string> paths{words.submission};
-  if (words.all) {
-    Result<std::vector<std::string>> found = submissions_in(words.submission);
+  std::vector<std::string> paths{arguments.submission};
+  if (arguments.all) {
+    Result<std::vector<std::string>> found = submissions_in(arguments.submission);
     if (!found) return fail(found.error());
     paths = std::move(*found);
   }
-  const Result<Grader> grader = Grader::create(*scene, words.options(*scene), *rubric);
+  const Result<Grader> grader = Grader::create(*scene, arguments.options(*scene), *rubric);
   if (!grader) return fail(grader.error());
-  const std::string format = format_of(words.format, words.output);
+  const std::string format = format_of(arguments.format, arguments.output);
   std::vector<Grade> grades(paths.size());
   tbb::parallel_for(std::size_t{0}, paths.size(), [&](std::size_t i) {
     grades[i] = grader->grade(paths[i]);
-    if (words.all) grades[i].name = fs::path(paths[i]).filename().string();
-    if (words.all || format != "html")
+    if (arguments.all) grades[i].name = fs::path(paths[i]).filename().string();
+    if (arguments.all || format != "html")
       for (StageGrade& stage : grades[i].stages) stage.aligned = {};
   });
   std::string text;
   if (format == "json") {
-    text = grade_json(language, *grader, grades, words.all);
+    text = grade_json(language, *grader, grades, arguments.all);
   } else if (format == "html") {
-    const std::string name = words.scene == "-" ? "-" : fs::path(words.scene).filename().string();
-    Result<std::string> page = words.all ? grades_page(language, *grader, grades, name)
-                                         : grade_page(language, *grader, grades.front(), name);
+    const std::string name =
+        arguments.scene == "-" ? "-" : fs::path(arguments.scene).filename().string();
+    Result<std::string> page = arguments.all ? grades_page(language, *grader, grades, name)
+                                             : grade_page(language, *grader, grades.front(), name);
     if (!page) return fail(page.error());
     text = std::move(*page);
-  } else if (words.all) {
+  } else if (arguments.all) {
     text = grades_table(language, grades);
   } else {
     text = grade_text(language, *grader, grades.front());
   }
-  const Result<void> written = write_text_file(words.output, text);
+  const Result<void> written = write_text_file(arguments.output, text);
   if (!written) return fail(written.error());
-  return words.all || grades.front().problems.empty() ? +kDone : +kFailed;
+  return arguments.all || grades.front().problems.empty() ? +kDone : +kFailed;
 }
 
 }  // namespace
 
-CLI::App* add_grade(CLI::App& program, Command& command) {
-  auto words = std::make_shared<Words>();
-  CLI::App* app = program.add_subcommand(
+void add_grade(Command& program) {
+  auto arguments = std::make_shared<Arguments>();
+  Command app = program.add_command(
       "grade", "mark pictures of the lab's stages, and name the cause of what is wrong");
-  words->add_to(*app);
-  app->get_option("SCENE")->required(false);
-  app->add_option("SUBMISSION", words->submission,
-                  "a picture, or a folder or zip archive of pictures called 1 to 7 or by their "
-                  "stage");
-  app->add_flag("--all", words->all, "SUBMISSION is a class's folder: mark all that is in it");
-  app->add_flag("--list", words->list, "print the mistakes that can be named, and do nothing else");
-  app->add_option("--rubric", words->rubric,
-                  "a JSON file with marks, tolerances and what is allowed");
-  app->add_option("-o,--output", words->output,
-                  "the file to write; - (default) is standard output");
-  add_format_to(*app, words->format);
-  add_language_to(*app, words->language);
-  app->footer(
+  arguments->add_to(app, Needs::perhaps);
+  app.add("SUBMISSION", &arguments->submission,
+          "a picture, or a folder or zip archive of pictures called 1 to 7 or by their "
+          "stage");
+  app.add("--all", &arguments->all, "SUBMISSION is a class's folder: mark all that is in it");
+  app.add("--list", &arguments->list, "print the mistakes that can be named, and do nothing else");
+  app.add("--rubric", &arguments->rubric, "a JSON file with marks, tolerances and what is allowed");
+  app.add("-o,--output", &arguments->output, "the file to write; - (default) is standard output");
+  add_format_to(app, arguments->format);
+  add_language_to(app, arguments->language);
+  app.footer(
       "Upside down, red and blue swapped, gamma, JPEG, scaled screenshots and window frames are\n"
       "found out and cost nothing. docs/grade.md explains the marks.\n\n"
       "Examples:\n"
@@ -118,12 +117,12 @@ CLI::App* add_grade(CLI::App& program, Command& command) {
       "  zraka grade input.txt ana-anic.zip -o ana-anic.html\n"
       "  zraka grade input.txt class/ --all --rubric rubric.json\n"
       "  zraka grade --list");
-  app->callback([&command, words] {
-    if (!words->list && words->scene.empty()) throw CLI::RequiredError("SCENE");
-    if (!words->list && words->submission.empty()) throw CLI::RequiredError("SUBMISSION");
-    command = [words] { return run(*words); };
+  app.check([arguments] {
+    if (arguments->list) return "";
+    if (arguments->scene.empty()) return "SCENE is required";
+    return arguments->submission.empty() ? "SUBMISSION is required" : "";
   });
-  return app;
+  app.action([arguments] { return run(*arguments); });
 }
 
 }  // namespace zraka::app

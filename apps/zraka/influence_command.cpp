@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "core/json.hpp"
 #include "core/text.hpp"
 #include "core/words.hpp"
 #include "explain/names.hpp"
@@ -16,7 +16,7 @@
 namespace zraka::app {
 namespace {
 
-struct Words : RenderWords {
+struct Arguments : RenderArguments {
   std::vector<std::string> name;
   std::string output, format = "text", language = "en";
 };
@@ -63,9 +63,9 @@ std::string way_text(Language language, const InfluenceWay& way) {
 
 constexpr unsigned kAnyBit = 0xFF;
 
-void print_text(const Words& words, const NamedShape& shape, const Influence& influence) {
+void print_text(const Arguments& arguments, const NamedShape& shape, const Influence& influence) {
   constexpr std::size_t kMostWays = 16;
-  const Language language = *language_named(words.language);
+  const Language language = *language_named(arguments.language);
   const std::uint64_t all = influence.pixels.size(), reached = influence.count(kAnyBit);
   fmt::print(
       "{}\n",
@@ -83,21 +83,21 @@ void print_text(const Words& words, const NamedShape& shape, const Influence& in
   if (influence.ways.size() > kMostWays)
     fmt::print("{:>12}  {}\n", "…",
                say(language, Word::ways_more, influence.ways.size() - kMostWays, grouped(rest)));
-  if (!words.output.empty() && words.output != "-")
+  if (!arguments.output.empty() && arguments.output != "-")
     fmt::print("{}\n", say(language, Word::influence_legend));
 }
 
 void print_json(const NamedShape& shape, const Influence& influence) {
-  nlohmann::ordered_json json = {{"shape", plain_name(shape.id)}};
+  Json json = {{"shape", plain_name(shape.id)}};
   if (!shape.name.empty()) json["name"] = shape.name;
   json["resolution"] = {influence.width, influence.height};
   json["pixels"] = {
       {"any", influence.count(kAnyBit)},         {"seen", influence.count(kSeen)},
       {"mirrored", influence.count(kMirrored)},  {"through_glass", influence.count(kThroughGlass)},
       {"both_ways", influence.count(kBothWays)}, {"shadow", influence.count(kShadow)}};
-  json["ways"] = nlohmann::json::array();
+  json["ways"] = Json::array();
   for (const InfluenceWay& way : influence.ways) {
-    nlohmann::ordered_json path = nlohmann::json::array();
+    Json path = Json::array();
     for (const RayKind kind : way.path)
       path.push_back(kind == RayKind::reflected ? "reflected" : "refracted");
     json["ways"].push_back({{"path", std::move(path)},
@@ -105,61 +105,60 @@ void print_json(const NamedShape& shape, const Influence& influence) {
                             {"shadow", way.shadow},
                             {"pixels", way.pixels}});
   }
-  std::puts(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  std::puts(json.dump(2).c_str());
 }
 
-int run(const Words& words) {
-  const Result<Scene> scene = words.load();
+int run(const Arguments& arguments) {
+  const Result<Scene> scene = arguments.load();
   if (!scene) return fail(scene.error());
   std::string name;
-  for (const std::string& word : words.name)
+  for (const std::string& word : arguments.name)
     name += fmt::format("{}{}", name.empty() ? "" : " ", word);
   const Result<ShapeId> shape = find_shape(*scene, name);
   if (!shape) return fail(shape.error());
-  const RenderOptions options = words.options(*scene);
+  const RenderOptions options = arguments.options(*scene);
   const Result<Influence> found = influence(*scene, options, *shape);
   if (!found) return fail(found.error());
-  if (!words.output.empty()) {
+  if (!arguments.output.empty()) {
     const Result<Rendering> rendering = render(*scene, options);
     if (!rendering) return fail(rendering.error());
-    const Result<void> written = write_png(marked(rendering->image, *found), words.output,
+    const Result<void> written = write_png(marked(rendering->image, *found), arguments.output,
                                            {8, Transfer::srgb, options.threads});
     if (!written) return fail(written.error());
-    if (words.output == "-") return kDone;
+    if (arguments.output == "-") return kDone;
   }
   const auto own = scene->names.find(*shape);
   const NamedShape named{*shape, own == scene->names.end() ? "" : own->second};
-  if (words.format == "json")
+  if (arguments.format == "json")
     print_json(named, *found);
   else
-    print_text(words, named, *found);
+    print_text(arguments, named, *found);
   return kDone;
 }
 
 }  // namespace
 
-CLI::App* add_influence(CLI::App& program, Command& command) {
-  auto words = std::make_shared<Words>();
-  CLI::App* app = program.add_subcommand(
+void add_influence(Command& program) {
+  auto arguments = std::make_shared<Arguments>();
+  Command app = program.add_command(
       "influence",
       "say which pixels a shape has a part in: seen, mirrored, through glass, by shadow");
-  words->add_to(*app);
-  app->add_option("NAME", words->name,
-                  "the shape: its name in the file, or its kind and number, as in sphere 3")
-      ->required();
-  app->add_option("-o,--output", words->output,
-                  "also write a PNG with these pixels marked; - is standard output, then alone");
-  app->add_option("--format", words->format, "text (default) or json")
-      ->check(CLI::IsMember({"text", "json"}));
-  add_language_to(*app, words->language);
-  app->footer(
-      "A shadow counts where the shape is the first that a feeler meets on its way to a light.\n"
+  arguments->add_to(app);
+  add_mistake_to(app, arguments->mistake);
+  app.add("NAME", &arguments->name,
+          "the shape: its name in the file, or its kind and number, as in sphere 3")
+      .required();
+  app.add("-o,--output", &arguments->output,
+          "also write a PNG with these pixels marked; - is standard output, then alone");
+  app.add("--format", &arguments->format, "text (default) or json").one_of({"text", "json"});
+  add_language_to(app, arguments->language);
+  app.footer(
+      "A shadow counts where the shape is the first that a shadow ray hits on its way to a light.\n"
       "Examples:\n"
       "  zraka influence scenes/lab/input.txt zrcalo\n"
       "  zraka influence scenes/lab/input.txt sphere 3 -o glass.png\n"
       "  zraka influence scenes/lab/input.txt sphere 3 --format json | jq .pixels");
-  app->callback([&command, words] { command = [words] { return run(*words); }; });
-  return app;
+  app.action([arguments] { return run(*arguments); });
 }
 
 }  // namespace zraka::app

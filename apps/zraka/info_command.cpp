@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "commands.hpp"
+#include "core/json.hpp"
 #include "core/text.hpp"
 #include "shapes/shapes.hpp"
 #include "terminal.hpp"
@@ -15,7 +15,7 @@
 namespace zraka::app {
 namespace {
 
-struct Words {
+struct Arguments {
   std::string scene;
   std::string format = "text";
 };
@@ -39,16 +39,16 @@ Facts facts_of(const Scene& scene) {
   return facts;
 }
 
-nlohmann::ordered_json json_of(const Vec3& v) {
+Json json_of(const Vec3& v) {
   return {v.x, v.y, v.z};
 }
 
 void print_json(const Scene& scene, const Facts& facts) {
-  nlohmann::ordered_json json = {{"format", scene.format},
-                                 {"profile", name_of(scene.default_profile)},
-                                 {"resolution", {scene.resolution.width, scene.resolution.height}},
-                                 {"eye", json_of(scene.camera.eye)}};
-  json["lights"] = nlohmann::json::array();
+  Json json = {{"format", scene.format},
+               {"profile", name_of(scene.default_profile)},
+               {"resolution", {scene.resolution.width, scene.resolution.height}},
+               {"eye", json_of(scene.camera.eye)}};
+  json["lights"] = Json::array();
   for (const PointLight& light : scene.lights) json["lights"].push_back(json_of(light.position));
 #define ZRAKA_COUNT(Type, plural) json["shapes"][ShapeTraits<Type>::kName] = scene.plural.size();
   ZRAKA_SHAPES(ZRAKA_COUNT)
@@ -81,12 +81,12 @@ void print_text(const Scene& scene, const Facts& facts) {
     fmt::print("bounds      {} to {}\n", text_of(facts.bounds.lower), text_of(facts.bounds.upper));
 }
 
-int run(const Words& words) {
-  const Result<ReadScene> read = read_scene(words.scene);
+int run(const Arguments& arguments) {
+  const Result<ReadScene> read = read_scene(arguments.scene);
   if (!read) return fail(read.error());
   show(read->warnings);
   const Facts facts = facts_of(read->scene);
-  if (words.format == "json")
+  if (arguments.format == "json")
     print_json(read->scene, facts);
   else
     print_text(read->scene, facts);
@@ -95,18 +95,16 @@ int run(const Words& words) {
 
 }  // namespace
 
-CLI::App* add_info(CLI::App& program, Command& command) {
-  auto words = std::make_shared<Words>();
-  CLI::App* app = program.add_subcommand("info", "say what a scene file holds");
-  app->add_option("SCENE", words->scene, "the scene file; - reads standard input")->required();
-  app->add_option("--format", words->format, "text (default) or json")
-      ->check(CLI::IsMember({"text", "json"}));
-  app->footer(
+void add_info(Command& program) {
+  auto arguments = std::make_shared<Arguments>();
+  Command app = program.add_command("info", "say what a scene file holds");
+  app.add("SCENE", &arguments->scene, "the scene file; - reads standard input").required();
+  app.add("--format", &arguments->format, "text (default) or json").one_of({"text", "json"});
+  app.footer(
       "Examples:\n"
       "  zraka info scenes/lab/input.txt\n"
       "  zraka info input.txt --format json | jq .bounds");
-  app->callback([&command, words] { command = [words] { return run(*words); }; });
-  return app;
+  app.action([arguments] { return run(*arguments); });
 }
 
 }  // namespace zraka::app

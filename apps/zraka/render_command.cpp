@@ -7,9 +7,9 @@
 #include <cstring>
 #include <filesystem>
 #include <future>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "core/json.hpp"
 #include "core/text.hpp"
 #include "progress.hpp"
 #include "render_options.hpp"
@@ -18,7 +18,7 @@
 namespace zraka::app {
 namespace {
 
-struct Words : RenderWords {
+struct Arguments : RenderArguments {
   std::string output;
   std::string stage = "refraction";
   int bits = 8;
@@ -31,22 +31,21 @@ struct Seconds {
 
 void print_json(const Rendering& rendering, const Seconds& seconds, const std::string& hash) {
   const RenderStats& s = rendering.stats;
-  const nlohmann::ordered_json json = {
-      {"seconds",
-       {{"load", seconds.load},
-        {"build", s.build_seconds},
-        {"render", s.render_seconds},
-        {"write", seconds.write}}},
-      {"rays",
-       {{"camera", s.rays.camera},
-        {"shadow", s.rays.shadow},
-        {"reflected", s.rays.reflected},
-        {"refracted", s.rays.refracted}}},
-      {"hits", s.rays.hits},
-      {"bytes", {{"scene", s.scene_bytes}, {"accel", s.accel_bytes}}},
-      {"threads", s.threads},
-      {"isa", name_of(s.isa)},
-      {"sha256", hash}};
+  const Json json = {{"seconds",
+                      {{"load", seconds.load},
+                       {"build", s.build_seconds},
+                       {"render", s.render_seconds},
+                       {"write", seconds.write}}},
+                     {"rays",
+                      {{"camera", s.rays.camera},
+                       {"shadow", s.rays.shadow},
+                       {"reflected", s.rays.reflected},
+                       {"refracted", s.rays.refracted}}},
+                     {"hits", s.rays.hits},
+                     {"bytes", {{"scene", s.scene_bytes}, {"accel", s.accel_bytes}}},
+                     {"threads", s.threads},
+                     {"isa", name_of(s.isa)},
+                     {"sha256", hash}};
   std::puts(json.dump(2).c_str());
 }
 
@@ -66,76 +65,71 @@ void print_text(const Rendering& rendering, const Seconds& seconds, const std::s
   fmt::print("sha256  {}\n", hash);
 }
 
-int run(const Words& words) {
+int run(const Arguments& arguments) {
   const auto since = [](auto start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   std::error_code ignored;
-  if (std::filesystem::equivalent(words.scene, words.output, ignored)) {
+  if (std::filesystem::equivalent(arguments.scene, arguments.output, ignored)) {
     Diagnostic problem;
-    problem.file = words.output;
+    problem.file = arguments.output;
     problem.message = "is the scene itself: the picture needs another name";
     return fail({problem});
   }
   Seconds seconds;
   const auto start = std::chrono::steady_clock::now();
-  Result<Scene> scene = words.load();
+  Result<Scene> scene = arguments.load();
   if (!scene) return fail(scene.error());
   seconds.load = since(start);
 
-  RenderOptions options = words.options(*scene);
-  options.terms = terms_of(*stage_named(words.stage));
+  RenderOptions options = arguments.options(*scene);
+  options.terms = terms_of(*stage_named(arguments.stage));
   Result<Rendering> rendering;
   {
-    Progress progress(words.quiet);
+    Progress progress(arguments.quiet);
     options.progress = progress.callback();
     rendering = render(std::move(*scene), options);
   }
   if (!rendering) return fail(rendering.error());
 
   std::future<std::string> hash;  // takes longer than writing, so it begins before
-  if (!words.stats.empty())
+  if (!arguments.stats.empty())
     hash = std::async(options.threads == 1 ? std::launch::deferred : std::launch::async,
                       [&] { return sha256(rendering->image); });
   const auto written_from = std::chrono::steady_clock::now();
-  const Result<void> written = write_png(rendering->image, words.output,
-                                         {words.bits, options.profile.transfer, options.threads});
+  const Result<void> written =
+      write_png(rendering->image, arguments.output,
+                {arguments.bits, options.profile.transfer, options.threads});
   if (!written) return fail(written.error());
   seconds.write = since(written_from);
-  if (words.stats == "json") print_json(*rendering, seconds, hash.get());
-  if (words.stats == "text") print_text(*rendering, seconds, hash.get());
+  if (arguments.stats == "json") print_json(*rendering, seconds, hash.get());
+  if (arguments.stats == "text") print_text(*rendering, seconds, hash.get());
   return kDone;
 }
 
 }  // namespace
 
-CLI::App* add_render(CLI::App& program, Command& command) {
-  auto words = std::make_shared<Words>();
-  CLI::App* app = program.add_subcommand("render", "render a scene to a picture");
-  words->add_to(*app);
-  app->add_option("-o,--output", words->output, "the PNG to write; - is standard output")
-      ->required()
-      ->check(name_of_png());
-  app->add_option("--stage", words->stage,
-                  "up to which stage of the lab: 1…7, or silhouette, ambient, diffuse, specular,\n"
-                  "shadows, reflection, refraction (default: all)")
-      ->check(one_of(
-          "a stage: 1…7, silhouette, ambient, diffuse, specular, shadows, reflection or refraction",
-          [](const std::string& word) { return stage_named(word).has_value(); }));
-  app->add_option("--bits", words->bits, "bits of a channel: 8 (default) or 16")
-      ->check(CLI::IsMember({8, 16}));
-  app->add_flag("--stats{text}", words->stats,
-                "print times, rays, memory and the picture's SHA-256; --stats=json for programs")
-      ->check(one_of("text or json",
-                     [](const std::string& word) { return word == "text" || word == "json"; }));
-  app->footer(
+void add_render(Command& program) {
+  auto arguments = std::make_shared<Arguments>();
+  Command app = program.add_command("render", "render a scene to a picture");
+  arguments->add_to(app);
+  add_mistake_to(app, arguments->mistake);
+  check_png_name(
+      app.add("-o,--output", &arguments->output, "the PNG to write; - is standard output")
+          .required());
+  add_stage_to(app, arguments->stage);
+  app.add("--bits", &arguments->bits, "bits of a channel: 8 (default) or 16")
+      .check("8 or 16", [](const std::string& bits) { return bits == "8" || bits == "16"; });
+  app.add_flag("--stats", "text", arguments->stats,
+               "print times, rays, memory and the picture's SHA-256; --stats=json for programs")
+      .one_of({"text", "json"});
+  app.footer(
       "Examples:\n"
       "  zraka render scenes/lab/input.txt -o picture.png\n"
       "  zraka render input.txt -o shadows.png --stage shadows\n"
       "  zraka render input.txt -o large.png --width 2160 --stats\n"
       "  zraka render input.txt -o glass.png --profile physical --max-depth 12");
-  app->callback([&command, words] { command = [words] { return run(*words); }; });
-  return app;
+  app.action([arguments] { return run(*arguments); });
 }
 
 }  // namespace zraka::app

@@ -16,10 +16,10 @@
 namespace zraka::app {
 namespace {
 
-bool is_no_other_picture(const std::string& path) {
+bool is_png_name(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
-  for (const char* other : {".jpg", ".jpeg", ".ppm", ".exr", ".bmp", ".tga", ".gif", ".tif",
-                            ".tiff", ".hdr", ".webp", ".nff"})
+  for (const char* other : {".jpg", ".jpeg", ".ppm", ".pgm", ".pbm", ".pnm", ".pfm", ".exr", ".bmp",
+                            ".tga", ".gif", ".tif", ".tiff", ".hdr", ".webp", ".nff"})
     if (std::equal(extension.begin(), extension.end(), other, other + std::strlen(other),
                    [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; }))
       return false;
@@ -28,16 +28,8 @@ bool is_no_other_picture(const std::string& path) {
 
 }  // namespace
 
-CLI::Validator name_of_png() {
-  return one_of("the name of a PNG, the one kind of picture that is written", is_no_other_picture);
-}
-
-CLI::Validator one_of(std::string what, bool (*accepts)(const std::string&)) {
-  return CLI::Validator(
-      [what, accepts](std::string& word) {
-        return accepts(word) ? std::string() : fmt::format("'{}' is not {}", word, what);
-      },
-      "");
+void check_png_name(Option option) {
+  option.check("the name of a PNG, the one kind of picture that is written", is_png_name);
 }
 
 std::optional<Stage> stage_named(const std::string& word) {
@@ -48,44 +40,52 @@ std::optional<Stage> stage_named(const std::string& word) {
   return std::nullopt;
 }
 
-void RenderWords::add_to(CLI::App& command) {
-  command.add_option("SCENE", scene, "the scene file; - reads standard input")->required();
+void RenderArguments::add_to(Command& command, Needs scene_needed) {
+  Option scene_option = command.add("SCENE", &scene, "the scene file; - reads standard input");
+  if (scene_needed == Needs::always) scene_option.required();
+  command.add("--width", &width, "width of the picture, in pixels; the height follows if not given")
+      .range(1, 1u << 20);
+  command.add("--height", &height, "height of the picture, in pixels").range(1, 1u << 20);
   command
-      .add_option("--width", width,
-                  "width of the picture, in pixels; the height follows if not given")
-      ->check(CLI::Range(1u, 1u << 20));
-  command.add_option("--height", height, "height of the picture, in pixels")
-      ->check(CLI::Range(1u, 1u << 20));
+      .add("--max-depth", &max_depth,
+           "levels of rays after those from the eye (default 4); each may double the time")
+      .range(0, kMaxDepth);
   command
-      .add_option("--max-depth", max_depth,
-                  "levels of rays after those from the eye (default 4); each may double the time")
-      ->check(CLI::Range(0, kMaxDepth));
+      .add("--profile", &profile,
+           "lab (the course's rules, default for input.txt), physical (optics' rules, default for "
+           "all else) or spd (the Standard Procedural Databases' rules for counting rays)")
+      .check("lab, physical or spd",
+             [](const std::string& name) { return profile_named(name).has_value(); });
+  command.add("--threads", &threads, "how many threads; 0, the default, is all that there are")
+      .range(0, kMaxThreads);
   command
-      .add_option(
-          "--profile", profile,
-          "lab (the course's rules, default for input.txt), physical (optics' rules, default for "
-          "all else) or spd (the Standard Procedural Databases' rules for counting rays)")
-      ->check(one_of("lab, physical or spd",
-                     [](const std::string& word) { return profile_named(word).has_value(); }));
-  command
-      .add_option("--threads", threads, "how many threads; 0, the default, is all that there are")
-      ->check(CLI::Range(0, kMaxThreads));
-  command
-      .add_option("--tile", tile,
-                  "side of the tiles that threads work on; 0 chooses; no pixel changes")
-      ->check(CLI::Range(0, kMaxTile));
-  command
-      .add_option("--mistake", mistake,
-                  "make one of the mistakes of \"zraka grade --list\", to see what it does")
-      ->check(one_of("the name of a mistake; zraka grade --list has them",
-                     [](const std::string& word) { return mistake_named(word).has_value(); }));
-  command.add_option("--isa", isa, "instruction set: avx512, avx2 or portable; no pixel changes")
-      ->check(one_of("avx512, avx2 or portable",
-                     [](const std::string& word) { return isa_named(word).has_value(); }));
-  command.add_flag("-q,--quiet", quiet, "no progress bar, no warnings");
+      .add("--tile", &tile, "side of the tiles that threads work on; 0 chooses; no pixel changes")
+      .range(0, kMaxTile);
+  command.add("--isa", &isa, "instruction set: avx512, avx2 or portable; no pixel changes")
+      .check("avx512, avx2 or portable",
+             [](const std::string& name) { return isa_named(name).has_value(); });
+  command.add("-q,--quiet", &quiet, "no progress bar, no warnings");
 }
 
-Result<Scene> RenderWords::load() const {
+void add_mistake_to(Command& command, std::string& mistake) {
+  command
+      .add("--mistake", &mistake,
+           "make one of the mistakes of \"zraka grade --list\", to see what it does")
+      .check("the name of a mistake; zraka grade --list has them",
+             [](const std::string& key) { return mistake_named(key).has_value(); });
+}
+
+void add_stage_to(Command& command, std::string& stage) {
+  command
+      .add("--stage", &stage,
+           "up to which stage of the lab: 1…7, or silhouette, ambient, diffuse, specular,\n"
+           "shadows, reflection, refraction (default: all)")
+      .check(
+          "a stage: 1…7, silhouette, ambient, diffuse, specular, shadows, reflection or refraction",
+          [](const std::string& name) { return stage_named(name).has_value(); });
+}
+
+Result<Scene> RenderArguments::load() const {
   // From reading to writing. The end of a limit lets more threads start, so this one has none:
   // where the system allows only one thread, one must do.
   if (threads > 0) {
@@ -114,11 +114,11 @@ Result<Scene> RenderWords::load() const {
   return std::move(loaded);
 }
 
-ProfileName RenderWords::profile_name(const Scene& loaded) const {
+ProfileName RenderArguments::profile_name(const Scene& loaded) const {
   return profile_named(profile).value_or(loaded.default_profile);
 }
 
-RenderOptions RenderWords::options(const Scene& loaded) const {
+RenderOptions RenderArguments::options(const Scene& loaded) const {
   RenderOptions options;
   options.profile = profile_of(profile_name(loaded));
   options.max_depth = max_depth;
@@ -129,17 +129,14 @@ RenderOptions RenderWords::options(const Scene& loaded) const {
   return options;
 }
 
-void add_language_to(CLI::App& command, std::string& language) {
-  command.add_option("--lang", language, "language of all words: en (default) or hr")
-      ->check(one_of("en or hr",
-                     [](const std::string& word) { return language_named(word).has_value(); }));
+void add_language_to(Command& command, std::string& language) {
+  command.add("--lang", &language, "language of all words: en (default) or hr")
+      .check("en or hr", [](const std::string& name) { return language_named(name).has_value(); });
 }
 
-void add_format_to(CLI::App& command, std::string& format) {
-  command
-      .add_option("--format", format,
-                  "text, json or html; else by the name of the output, else text")
-      ->check(CLI::IsMember({"text", "json", "html"}));
+void add_format_to(Command& command, std::string& format) {
+  command.add("--format", &format, "text, json or html; else by the name of the output, else text")
+      .one_of({"text", "json", "html"});
 }
 
 std::string format_of(const std::string& format, const std::string& output) {

@@ -2,14 +2,17 @@
 // Options that all commands that render share.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <zraka/zraka.hpp>
 
+#include "command.hpp"
+
 namespace zraka::app {
 
-struct RenderWords {
+enum class Needs { always, perhaps };
+
+struct RenderArguments {
   std::string scene;
   std::uint32_t width = 0, height = 0;  // 0: the scene's
   int max_depth = 4;
@@ -20,7 +23,7 @@ struct RenderWords {
   std::string mistake;  // "": none
   bool quiet = false;
 
-  void add_to(CLI::App& command);
+  void add_to(Command& command, Needs scene_needed = Needs::always);
 
   /// The scene with the size that was asked for; its warnings have been shown.
   Result<Scene> load() const;
@@ -33,19 +36,21 @@ struct RenderWords {
 /// Checks a word against the names of stages: 1…7 or a name.
 std::optional<Stage> stage_named(const std::string& word);
 
-/// A CLI11 check of the name of a PNG to write: whoever asks for a.jpg would be surprised by a PNG
-/// in it.
-CLI::Validator name_of_png();
+/// Accepts the name of a PNG to write: whoever asks for a.jpg would be surprised by a PNG in it.
+void check_png_name(Option option);
+
+/// --mistake.
+void add_mistake_to(Command& command, std::string& mistake);
+
+/// --stage.
+void add_stage_to(Command& command, std::string& stage);
 
 /// --lang.
-void add_language_to(CLI::App& command, std::string& language);
+void add_language_to(Command& command, std::string& language);
 
 /// --format, for commands that write text, JSON or a page.
-void add_format_to(CLI::App& command, std::string& format);
+void add_format_to(Command& command, std::string& format);
 /// The format asked for; else the one that the output's name asks for; else text.
 std::string format_of(const std::string& format, const std::string& output);
-
-/// A CLI11 check that shows what a word has to be.
-CLI::Validator one_of(std::string what, bool (*accepts)(const std::string&));
 
 }  // namespace zraka::app

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint32_t kMostLetterPixels = 2000;
 
-struct Words : RenderWords {
+struct Arguments : RenderArguments {
   std::string folder, letter, author, language = "en";
   bool zip = false;
 };
@@ -78,31 +78,32 @@ Result<void> add_letter(Report& report, Language language, const std::string& te
   return {};
 }
 
-int run(const Words& words) {
-  const Language language = *language_named(words.language);
-  const std::string archive = archive_name(words.author);
-  if (words.zip && archive.empty())
+int run(const Arguments& arguments) {
+  const Language language = *language_named(arguments.language);
+  const std::string archive = archive_name(arguments.author);
+  if (arguments.zip && archive.empty())
     return fail(
-        failure("", fmt::format("'{}' has no letter for the archive's name", shown(words.author)),
+        failure("",
+                fmt::format("'{}' has no letter for the archive's name", shown(arguments.author)),
                 "--author takes a name in Latin letters, as in --author 'Ana Šarić'")
             .value());
-  Result<Scene> scene = words.load();
+  Result<Scene> scene = arguments.load();
   if (!scene) return fail(scene.error());
   // The pictures of two stages, their difference, and all files are in memory at once.
   const std::uint64_t pixels = std::uint64_t{scene->resolution.width} * scene->resolution.height;
   if (pixels > kMaxPixels / 8)
     return fail(
-        failure(words.scene,
+        failure(arguments.scene,
                 fmt::format("its stages have {} pixels each: {} at most", pixels, kMaxPixels / 8),
                 "ask for smaller pictures with --width")
             .value());
-  const Result<void> folder = make_folder(words.folder);
+  const Result<void> folder = make_folder(arguments.folder);
   if (!folder) return fail(folder.error());
 
   Report report;
-  RenderOptions options = words.options(*scene);
+  RenderOptions options = arguments.options(*scene);
   Result<SceneFacts> facts = [&] {
-    Progress progress(words.quiet);
+    Progress progress(arguments.quiet);
     options.progress = progress.callback();
     return measure_stages(*scene, options, [&](Stage stage, const StagePictures& pictures) {
       return add_stage(report, language, stage, pictures);
@@ -110,20 +111,21 @@ int run(const Words& words) {
   }();
   if (!facts) return fail(facts.error());
   options.progress = {};
-  const std::string letter = words.letter.empty() ? initial_of(words.author) : words.letter;
+  const std::string letter =
+      arguments.letter.empty() ? initial_of(arguments.author) : arguments.letter;
   if (!letter.empty()) {
     const Result<void> added = add_letter(report, language, letter, *scene, options);
     if (!added) return fail(added.error());
   }
   const std::string scene_name =
-      words.scene == "-" ? "-" : std::filesystem::path(words.scene).filename().string();
+      arguments.scene == "-" ? "-" : std::filesystem::path(arguments.scene).filename().string();
   report.files.push_back(
       {fmt::format("{}.html", text_of(language, Word::file_report)),
        report_page(*facts, report.pictures, report.letter,
-                   {language, scene_name, words.author, words.profile_name(*scene)})});
+                   {language, scene_name, arguments.author, arguments.profile_name(*scene)})});
 
-  const std::filesystem::path out(words.folder);
-  if (words.zip) {
+  const std::filesystem::path out(arguments.folder);
+  if (arguments.zip) {
     Result<std::string> zip = zip_of(report.files);
     if (!zip) return fail(zip.error());
     report.files.push_back({archive, std::move(*zip)});
@@ -131,38 +133,39 @@ int run(const Words& words) {
   for (const NamedBytes& file : report.files) {
     const Result<void> written = write_text_file((out / file.name).string(), file.bytes);
     if (!written) return fail(written.error());
-    if (!words.quiet) fmt::print("{}\n", (out / file.name).string());
+    if (!arguments.quiet) fmt::print("{}\n", (out / file.name).string());
   }
   return kDone;
 }
 
 }  // namespace
 
-CLI::App* add_report(CLI::App& program, Command& command) {
-  auto words = std::make_shared<Words>();
-  CLI::App* app = program.add_subcommand(
+void add_report(Command& program) {
+  auto arguments = std::make_shared<Arguments>();
+  Command app = program.add_command(
       "report",
       "what the lab's sheet wants handed in: the stages, what each changed and why, as a page");
-  words->add_to(*app);
-  app->add_option("-o,--output", words->folder,
-                  "the folder for the report; made if it is not there, files of the same names are "
-                  "replaced")
-      ->required();
-  app->add_option("--letter", words->letter,
-                  "the letter or word of the eighth picture; else the surname's first letter");
-  CLI::Option* author = app->add_option("--author", words->author, "whose report it is");
-  add_language_to(*app, words->language);
-  app->add_flag("--zip", words->zip,
-                "also pack all into OVO-V3-Rezultati-<ImePrezime>.zip, named after the author")
-      ->needs(author);
-  app->footer(
+  arguments->add_to(app);
+  app.add("-o,--output", &arguments->folder,
+          "the folder for the report; made if it is not there, files of the same names are "
+          "replaced")
+      .required();
+  app.add("--letter", &arguments->letter,
+          "the letter or word of the eighth picture; else the surname's first letter");
+  app.add("--author", &arguments->author, "whose report it is");
+  add_language_to(app, arguments->language);
+  app.add("--zip", &arguments->zip,
+          "also pack all into OVO-V3-Rezultati-<ImePrezime>.zip, named after the author");
+  app.check([arguments] {
+    return arguments->zip && arguments->author.empty() ? "--zip needs --author" : "";
+  });
+  app.footer(
       "The sheet also wants your source code and program in the archive: add them.\n"
       "Examples:\n"
       "  zraka report scenes/lab/input.txt -o report\n"
       "  zraka report input.txt -o izvjestaj --lang hr --author 'Ana Šarić' --zip\n"
       "  zraka report input.txt -o report --letter Č --width 800");
-  app->callback([&command, words] { command = [words] { return run(*words); }; });
-  return app;
+  app.action([arguments] { return run(*arguments); });
 }
 
 }  // namespace zraka::app

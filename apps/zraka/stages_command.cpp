@@ -19,16 +19,16 @@ namespace {
 constexpr std::size_t kStages = kStageNames.size();
 constexpr std::uint32_t kThumbnail = 240;
 
-struct Words : RenderWords {
+struct Arguments : RenderArguments {
   std::string folder;
 };
 
-Result<std::array<Image, kStages>> render_stages(const Words& words, const Scene& scene,
+Result<std::array<Image, kStages>> render_stages(const Arguments& arguments, const Scene& scene,
                                                  RenderOptions options) {
   std::array<Image, kStages> images;
   for (std::size_t i = 0; i < kStages; ++i) {
     options.terms = terms_of(static_cast<Stage>(i + 1));
-    Progress progress(words.quiet);
+    Progress progress(arguments.quiet);
     options.progress = progress.callback();
     Result<Rendering> rendering = render(scene, options);
     if (!rendering) return tl::make_unexpected(rendering.error());
@@ -37,24 +37,24 @@ Result<std::array<Image, kStages>> render_stages(const Words& words, const Scene
   return images;
 }
 
-int run(const Words& words) {
-  const Result<Scene> scene = words.load();
+int run(const Arguments& arguments) {
+  const Result<Scene> scene = arguments.load();
   if (!scene) return fail(scene.error());
   // Seven pictures and six differences are in memory at once.
   const std::uint64_t pixels = std::uint64_t{scene->resolution.width} * scene->resolution.height;
   if (pixels > kMaxPixels / 8)
     return fail(
-        failure(words.scene,
+        failure(arguments.scene,
                 fmt::format("its stages have {} pixels each: {} at most", pixels, kMaxPixels / 8),
                 "ask for smaller pictures with --width")
             .value());
-  const Result<void> folder = make_folder(words.folder);
+  const Result<void> folder = make_folder(arguments.folder);
   if (!folder) return fail(folder.error());
-  const RenderOptions options = words.options(*scene);
-  const Result<std::array<Image, kStages>> images = render_stages(words, *scene, options);
+  const RenderOptions options = arguments.options(*scene);
+  const Result<std::array<Image, kStages>> images = render_stages(arguments, *scene, options);
   if (!images) return fail(images.error());
 
-  const std::filesystem::path out(words.folder);
+  const std::filesystem::path out(arguments.folder);
   std::vector<Captioned> stages, changes;
   std::array<Difference, kStages - 1> differences;
   Result<void> written;
@@ -75,7 +75,7 @@ int run(const Words& words) {
   }
   write(contact_sheet({stages, changes}, kThumbnail), "contact-sheet.png");
   if (!written) return fail(written.error());
-  if (words.quiet) return kDone;
+  if (arguments.quiet) return kDone;
 
   fmt::print("{}\n", (out / "contact-sheet.png").string());
   for (std::size_t i = 0; i < kStages; ++i) {
@@ -90,20 +90,19 @@ int run(const Words& words) {
 
 }  // namespace
 
-CLI::App* add_stages(CLI::App& program, Command& command) {
-  auto words = std::make_shared<Words>();
-  CLI::App* app = program.add_subcommand(
+void add_stages(Command& program) {
+  auto arguments = std::make_shared<Arguments>();
+  Command app = program.add_command(
       "stages", "render the lab's seven stages, the differences between them, and a contact sheet");
-  words->add_to(*app);
-  app->add_option("-o,--output", words->folder,
-                  "the folder for the pictures; made if it is not there")
-      ->required();
-  app->footer(
+  arguments->add_to(app);
+  add_mistake_to(app, arguments->mistake);
+  app.add("-o,--output", &arguments->folder, "the folder for the pictures; made if it is not there")
+      .required();
+  app.footer(
       "Examples:\n"
       "  zraka stages scenes/lab/input.txt -o pictures\n"
       "  zraka stages input.txt -o large --width 1080");
-  app->callback([&command, words] { command = [words] { return run(*words); }; });
-  return app;
+  app.action([arguments] { return run(*arguments); });
 }
 
 }  // namespace zraka::app

@@ -42,11 +42,11 @@ bool output_in_color() {
 
 void catch_interrupts() {
   ::signal(SIGXFSZ, SIG_IGN);  // a limit on files' sizes is a failed write like any other
-  struct sigaction action{};
+  struct sigaction action {};
   action.sa_handler = on_interrupt;
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
-    struct sigaction old{};
+    struct sigaction old {};
     // Who started us by nohup wants us to outlive the terminal.
     if (signal == SIGHUP && ::sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_IGN)
       continue;

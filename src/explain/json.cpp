@@ -5,15 +5,13 @@
 
 #include <algorithm>
 #include <charconv>
-#include <nlohmann/json.hpp>
 
+#include "core/json.hpp"
 #include "explain/angles.hpp"
 #include "explain/names.hpp"
 
 namespace zraka {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The double with the float's shortest decimal, so that 0.1f is printed as 0.1 and read back as
 /// 0.1f.
@@ -27,7 +25,7 @@ Json number(float v) {
 Json number(const Float3& v) {
   return {number(v[0]), number(v[1]), number(v[2])};
 }
-Json place(const Vec3& v) {
+Json point_json(const Vec3& v) {
   return {v.x, v.y, v.z};
 }
 template <class T>
@@ -88,7 +86,7 @@ Json child_json(const RayTree& tree, const Child& child) {
 Json hit_json(const RayTree& tree, const ExplainedHit& hit) {
   Json json = shape_json(hit.shape);
   json["distance"] = hit.distance;
-  json["point"] = place(hit.point);
+  json["point"] = point_json(hit.point);
   json["normal"] = number(hit.normal);
   json["flipped"] = hit.flipped;
   json["material"] = {{"ka", number(hit.ka)},       {"kd", number(hit.kd)}, {"ks", number(hit.ks)},
@@ -110,7 +108,7 @@ Json ray_json(const RayTree& tree, std::size_t place_of_ray) {
   return {{"kind", kRayNames[static_cast<int>(ray.kind)]},
           {"depth", ray.depth},
           {"weight", ray.weight},
-          {"origin", place(ray.origin)},
+          {"origin", point_json(ray.origin)},
           {"direction", number(ray.direction)},
           {"hit", ray.hit ? hit_json(tree, *ray.hit) : Json()},
           {"color", number(ray.color)}};
@@ -125,27 +123,33 @@ Json tree_json(const Explanation& e) {
 
 /// An object's members on lines of their own, a vector on one line.
 void print(const Json& json, std::size_t indent, std::string& out) {
-  const bool nested = std::any_of(json.begin(), json.end(),
-                                  [](const Json& member) { return member.is_structured(); });
-  if (!json.is_structured()) {
-    // Names come from files, which may hold anything.
-    out += json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const Json::Array* array = json.if_array();
+  const Json::Object* object = json.if_object();
+  if (array == nullptr && object == nullptr) {
+    out += json.dump();
     return;
   }
-  const bool one_line = json.is_array() && !nested;
+  const bool one_line =
+      array != nullptr && std::none_of(array->begin(), array->end(), [](const Json& member) {
+        return member.is_array() || member.is_object();
+      });
   const char* separator = "";
-  out += json.is_object() ? '{' : '[';
-  for (const auto& [key, member] : json.items()) {
+  const auto print_member = [&](const std::string* key, const Json& member) {
     if (one_line)
       out += *separator == ',' ? ", " : "";
     else
       fmt::format_to(std::back_inserter(out), "{}\n{:{}}", separator, "", indent + 1);
-    if (json.is_object()) out += Json(key).dump() + ": ";
+    if (key != nullptr) out += Json(*key).dump() + ": ";
     print(member, indent + 1, out);
     separator = ",";
-  }
+  };
+  out += object != nullptr ? '{' : '[';
+  if (object != nullptr)
+    for (const auto& [key, member] : *object) print_member(&key, member);
+  else
+    for (const Json& member : *array) print_member(nullptr, member);
   if (!one_line) fmt::format_to(std::back_inserter(out), "\n{:{}}", "", indent);
-  out += json.is_object() ? '}' : ']';
+  out += object != nullptr ? '}' : ']';
 }
 
 }  // namespace
@@ -171,7 +175,8 @@ std::string to_json(const Explanation& e, const std::string& scene, const std::s
                {"ambient_light", number(e.ambient_light)},
                {"lights", Json::array()}};
   for (const ExplainedLight& light : e.lights)
-    json["lights"].push_back({{"position", place(light.position)}, {"color", number(light.color)}});
+    json["lights"].push_back(
+        {{"position", point_json(light.position)}, {"color", number(light.color)}});
   json["color"] = number(e.color);
   json["bytes"] = Json::array();
   for (const float c : e.color) json["bytes"].push_back(quantize(c, e.profile.transfer, 8));

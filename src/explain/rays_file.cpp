@@ -6,15 +6,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/base64.hpp"
+#include "core/json.hpp"
 #include "math/box.hpp"
 
 namespace zraka {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kSegmentKinds = kSegmentNames.size();
 

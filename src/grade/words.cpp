@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/counted.hpp"
+#include "core/json.hpp"
 #include "core/text.hpp"
 #include "explain/names.hpp"
 #include "explain/sentence.hpp"
@@ -41,8 +41,6 @@ bool costs_nothing(const Grader& grader, const StageGrade& stage) {
   return std::any_of(stage.mistakes.begin(), stage.mistakes.end(),
                      [&](Mistake mistake) { return grader.rubric().allowed.contains(mistake); });
 }
-
-using Json = nlohmann::ordered_json;
 
 Json json_of(Language language, const Grader& grader, const StageGrade& stage) {
   std::string output;
@@ -180,7 +178,7 @@ std::string grade_json(Language language, const Grader& grader, const std::vecto
   Json all = Json::array();
   for (const Grade& grade : grades) all.push_back(json_of(language, grader, grade));
   const Json& json = several ? all : all.front();
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2) + "\n";
 }
 
 }  // namespace zraka

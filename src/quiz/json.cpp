@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <nlohmann/json.hpp>
+
+#include "core/json.hpp"
 
 #include "quiz/view.hpp"
 
 namespace zraka {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string text_of_json(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2) + "\n";
 }
 
 Json choice_json(QuizKind kind, const QuizChoice& choice) {

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// What commands take and do, without a header of the library that reads the command line: those
+// cost seconds in every file that includes them, and command.cpp alone does.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace zraka::app {
+
+/// What the program ends with; compare has codes of its own, and signals end it with 128 and
+/// their number.
+enum ExitCode { kDone = 0, kFailed = 1, kWrongUsage = 2, kInterrupted = 130 };
+
+/// Where the value of an option goes; a bool is a flag without a value.
+using OptionTarget = std::variant<bool*, int*, std::uint32_t*, std::size_t*, double*, std::string*,
+                                  std::vector<std::string>*>;
+
+/// An option or a positional argument of a command.
+class Option {
+ public:
+  Option& required();
+  /// A number from `least` to `most`.
+  Option& range(double least, double most);
+  Option& one_of(std::initializer_list<const char*> values);
+  /// `accepts(value)` has to hold; else the value "is not `what`".
+  Option& check(std::string what, std::function<bool(const std::string&)> accepts);
+
+ private:
+  friend class Command;
+  explicit Option(CLI::Option* option) : option_(option) {}
+  CLI::Option* option_;
+};
+
+/// The program or one of its commands.
+class Command {
+ public:
+  Command add_command(const std::string& name, const std::string& what);
+  /// "-o,--output" names an option, "SCENE" a positional argument.
+  Option add(const std::string& names, OptionTarget target, const std::string& help);
+  /// A flag that may have a value, as in --stats=json; without one it gets `usual`.
+  Option add_flag(const std::string& name, const std::string& usual, std::string& target,
+                  const std::string& help);
+  /// Text below the options: examples.
+  void footer(const std::string& text);
+  /// One of its commands has to be given.
+  void require_command();
+  /// What is wrong with arguments that are right one by one, or "".
+  void check(std::function<std::string()> problem);
+  /// What it does; returns the exit code.
+  void action(std::function<int()> run);
+
+  /// The text of --help of the command of this one that `path` leads to, if there is one.
+  std::optional<std::string> help_of(const std::vector<std::string>& path) const;
+
+ private:
+  friend class Program;
+  struct Chosen;
+  Command(CLI::App* app, Chosen* chosen) : app_(app), chosen_(chosen) {}
+  CLI::App* app_;
+  Chosen* chosen_;
+};
+
+/// The outermost command.
+class Program {
+ public:
+  /// `version` is asked for when it is printed.
+  Program(const std::string& name, const std::string& what, std::function<std::string()> version);
+  ~Program();
+  Command& command() { return command_; }
+
+  /// Reads the arguments. What is to be done then, or the exit code where there is nothing to do:
+  /// help has been printed, or on standard error what is wrong.
+  std::variant<std::function<int()>, int> read(int argc, char** argv);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+  std::unique_ptr<Command::Chosen> chosen_;
+  Command command_;
+};
+
+}  // namespace zraka::app
