@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Generated scenes hold what their names promise, and rays through one of them are counted against
 // published figures.
-#include "generate/benchmarks.hpp"
+#include "school/generate/benchmarks.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

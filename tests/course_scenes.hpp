@@ -2,7 +2,7 @@
 // Scenes that show students' mistakes.
 #pragma once
 
-#include <zraka/zraka.hpp>
+#include <zraka/school/school.hpp>
 
 #include "scenes.hpp"
 

@@ -6,11 +6,11 @@
 #include <fstream>
 
 #include "course_scenes.hpp"
-#include "grade/align.hpp"
-#include "grade/submission.hpp"
-#include "grade/words.hpp"
 #include "image/alter.hpp"
 #include "picture_files.hpp"
+#include "school/grade/align.hpp"
+#include "school/grade/submission.hpp"
+#include "school/grade/words.hpp"
 
 namespace zraka {
 namespace {

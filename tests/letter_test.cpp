@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "generate/letter.hpp"
+#include "school/generate/letter.hpp"
 
 #include <gtest/gtest.h>
 

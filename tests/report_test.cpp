@@ -11,10 +11,10 @@
 #include "image/alter.hpp"
 #include "image/page_picture.hpp"
 #include "language.hpp"
-#include "report/archive.hpp"
-#include "report/comments.hpp"
-#include "report/page.hpp"
 #include "scenes.hpp"
+#include "school/report/archive.hpp"
+#include "school/report/comments.hpp"
+#include "school/report/page.hpp"
 
 namespace zraka {
 namespace {

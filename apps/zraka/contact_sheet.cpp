@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "glyphs/font.hpp"
 #include "image/alter.hpp"
+#include "school/glyphs/font.hpp"
 
 namespace zraka::app {
 namespace {

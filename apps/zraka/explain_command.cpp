@@ -26,7 +26,7 @@ struct Arguments : RenderArguments {
   std::string output = "-";
   std::string format;  // "": by the output's name
   std::string language = "en";
-  std::string stage = "refraction";
+  std::string stage = "refraction", mistake;
   std::string rays;  // a file for the segments
 };
 
@@ -82,7 +82,7 @@ int run(const Arguments& arguments) {
   if (!scene) return fail(scene.error());
   RenderOptions options = arguments.options(*scene);
   options.terms = terms_of(*stage_named(arguments.stage));
-  Result<Explainer> explainer = Explainer::create(*scene, options);
+  Result<Explainer> explainer = mistaken_explainer(*scene, options, mistake_of(arguments.mistake));
   if (!explainer) return fail(explainer.error());
   const Result<Explanation> explanation =
       explainer->pixel(*coordinate(arguments.x), *coordinate(arguments.y));

@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "commands.hpp"
-#include "generate/benchmarks.hpp"
-#include "generate/letter.hpp"
 #include "render_options.hpp"
+#include "school/generate/benchmarks.hpp"
+#include "school/generate/letter.hpp"
 #include "terminal.hpp"
 
 namespace zraka::app {

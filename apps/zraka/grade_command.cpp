@@ -12,10 +12,10 @@
 #include "core/file.hpp"
 #include "core/text.hpp"
 #include "core/words.hpp"
-#include "explain/names.hpp"
-#include "grade/page.hpp"
-#include "grade/words.hpp"
 #include "render_options.hpp"
+#include "school/grade/page.hpp"
+#include "school/grade/words.hpp"
+#include "school/mistakes/names.hpp"
 #include "terminal.hpp"
 #include "zraka/zraka.hpp"
 

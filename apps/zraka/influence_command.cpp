@@ -144,7 +144,6 @@ void add_influence(Command& program) {
       "influence",
       "say which pixels a shape has a part in: seen, mirrored, through glass, by shadow");
   arguments->add_to(app);
-  add_mistake_to(app, arguments->mistake);
   app.add("NAME", &arguments->name,
           "the shape: its name in the file, or its kind and number, as in sphere 3")
       .required();

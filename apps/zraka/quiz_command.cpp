@@ -8,8 +8,8 @@
 #include "commands.hpp"
 #include "core/file.hpp"
 #include "progress.hpp"
-#include "quiz/view.hpp"
 #include "render_options.hpp"
+#include "school/quiz/view.hpp"
 #include "terminal.hpp"
 
 namespace zraka::app {

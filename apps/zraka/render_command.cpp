@@ -20,7 +20,7 @@ namespace {
 
 struct Arguments : RenderArguments {
   std::string output;
-  std::string stage = "refraction";
+  std::string stage = "refraction", mistake;
   int bits = 8;
   std::string stats;  // "", "text" or "json"
 };
@@ -85,10 +85,12 @@ int run(const Arguments& arguments) {
   RenderOptions options = arguments.options(*scene);
   options.terms = terms_of(*stage_named(arguments.stage));
   Result<Rendering> rendering;
+  const Mistake mistake = mistake_of(arguments.mistake);
   {
     Progress progress(arguments.quiet);
     options.progress = progress.callback();
-    rendering = render(std::move(*scene), options);
+    rendering = mistake == Mistake::none ? render(std::move(*scene), options)
+                                         : render_mistaken(*scene, options, mistake);
   }
   if (!rendering) return fail(rendering.error());
 

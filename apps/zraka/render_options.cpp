@@ -67,12 +67,16 @@ void RenderArguments::add_to(Command& command, Needs scene_needed) {
   command.add("-q,--quiet", &quiet, "no progress bar, no warnings");
 }
 
-void add_mistake_to(Command& command, std::string& mistake) {
+void add_mistake_to(Command& command, std::string& key) {
   command
-      .add("--mistake", &mistake,
+      .add("--mistake", &key,
            "make one of the mistakes of \"zraka grade --list\", to see what it does")
       .check("the name of a mistake; zraka grade --list has them",
-             [](const std::string& key) { return mistake_named(key).has_value(); });
+             [](const std::string& name) { return mistake_named(name).has_value(); });
+}
+
+Mistake mistake_of(const std::string& key) {
+  return mistake_named(key).value_or(Mistake::none);
 }
 
 void add_stage_to(Command& command, std::string& stage) {
@@ -125,7 +129,6 @@ RenderOptions RenderArguments::options(const Scene& loaded) const {
   options.threads = threads;
   options.tile = tile;
   options.isa = isa_named(isa);
-  options.mistake = mistake_named(mistake).value_or(Mistake::none);
   return options;
 }
 

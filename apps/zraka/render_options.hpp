@@ -4,7 +4,7 @@
 
 #include <optional>
 #include <string>
-#include <zraka/zraka.hpp>
+#include <zraka/school/school.hpp>
 
 #include "command.hpp"
 
@@ -20,7 +20,6 @@ struct RenderArguments {
   int threads = 0;
   int tile = 0;
   std::string isa;
-  std::string mistake;  // "": none
   bool quiet = false;
 
   void add_to(Command& command, Needs scene_needed = Needs::always);
@@ -40,7 +39,9 @@ std::optional<Stage> stage_named(const std::string& word);
 void check_png_name(Option option);
 
 /// --mistake.
-void add_mistake_to(Command& command, std::string& mistake);
+void add_mistake_to(Command& command, std::string& key);
+/// The mistake of this key; none for "".
+Mistake mistake_of(const std::string& key);
 
 /// --stage.
 void add_stage_to(Command& command, std::string& stage);

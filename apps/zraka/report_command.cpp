@@ -7,13 +7,13 @@
 #include "commands.hpp"
 #include "core/file.hpp"
 #include "core/text.hpp"
-#include "generate/letter.hpp"
 #include "image/alter.hpp"
 #include "image/page_picture.hpp"
 #include "progress.hpp"
 #include "render_options.hpp"
-#include "report/archive.hpp"
-#include "report/page.hpp"
+#include "school/generate/letter.hpp"
+#include "school/report/archive.hpp"
+#include "school/report/page.hpp"
 #include "terminal.hpp"
 
 namespace zraka::app {

@@ -20,7 +20,7 @@ constexpr std::size_t kStages = kStageNames.size();
 constexpr std::uint32_t kThumbnail = 240;
 
 struct Arguments : RenderArguments {
-  std::string folder;
+  std::string folder, mistake;
 };
 
 Result<std::array<Image, kStages>> render_stages(const Arguments& arguments, const Scene& scene,
@@ -30,7 +30,7 @@ Result<std::array<Image, kStages>> render_stages(const Arguments& arguments, con
     options.terms = terms_of(static_cast<Stage>(i + 1));
     Progress progress(arguments.quiet);
     options.progress = progress.callback();
-    Result<Rendering> rendering = render(scene, options);
+    Result<Rendering> rendering = render_mistaken(scene, options, mistake_of(arguments.mistake));
     if (!rendering) return tl::make_unexpected(rendering.error());
     images[i] = std::move(rendering->image);
   }

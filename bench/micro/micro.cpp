@@ -16,11 +16,11 @@
 
 #include "accel/build.hpp"
 #include "core/file.hpp"
-#include "generate/benchmarks.hpp"
 #include "probe.hpp"
 #include "render/prepare.hpp"
 #include "render/workspace.hpp"
 #include "samples.hpp"
+#include "school/generate/benchmarks.hpp"
 
 namespace zraka {
 

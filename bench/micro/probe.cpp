@@ -75,7 +75,8 @@ void surfaces(const FrozenScene<float>& scene, Workspace<float>& workspace) {
 void light(const FrozenScene<float>& scene, const TraceSettings& settings,
            Workspace<float>& workspace) {
   RayCounts counts;
-  light_hits<L>(scene, settings, workspace.levels[0], workspace.scratch, counts);
+  light_hits<L>(scene, settings, workspace.levels[0], workspace.scratch, counts, NoRecord{},
+                Steps{});
 }
 
 void spawn(const FrozenScene<float>& scene, const TraceSettings& settings,

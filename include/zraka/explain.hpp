@@ -116,14 +116,23 @@ struct ExplainedLight {
   Float3 color{};  ///< Ii
 };
 
+/// Rules of the sheet that a lesson breaks (the school library), in both languages.
+struct VariedRules {
+  std::string key;                ///< for JSON
+  std::string english, croatian;  ///< what is done, as a sentence without a full stop
+  /// Total internal reflection adds white in the share of the ray that cannot be refracted.
+  bool white_when_total = false;
+};
+
 struct Explanation {
   std::uint32_t x = 0, y = 0;
   Resolution resolution;
   Terms terms;
   Profile profile;
   int max_depth = 0;
-  Mistake mistake = Mistake::none;  ///< that the pixel was made with
-  Float3 ambient_light{};           ///< Ia
+  /// What makes the pixel another one than render()'s, where a lesson varies the rules.
+  std::optional<VariedRules> varied{};
+  Float3 ambient_light{};  ///< Ia
   Float3 background{};
   std::vector<ExplainedLight> lights{};
   /// One; or four where the pixel is the mean of its corners: upper left, upper right, lower left,
@@ -137,6 +146,8 @@ struct Neighbourhood {
   std::uint32_t left = 0, top = 0;  ///< position in the picture of its upper left pixel
   Image image;
 };
+
+struct Variation;
 
 /// Explains pixels of one scene. The scene must outlive it.
 class Explainer {
@@ -157,6 +168,8 @@ class Explainer {
   Neighbourhood around(std::uint32_t x, std::uint32_t y, std::uint32_t side);
 
  private:
+  friend Result<Explainer> varied_explainer(const Scene& scene, const RenderOptions& options,
+                                            const Variation& variation);
   struct Impl;
   explicit Explainer(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;

@@ -13,7 +13,6 @@
 #include <zraka/diagnostic.hpp>
 #include <zraka/image.hpp>
 #include <zraka/limits.hpp>
-#include <zraka/mistakes.hpp>
 #include <zraka/scene.hpp>
 
 namespace zraka {
@@ -66,11 +65,9 @@ std::vector<Isa> available_isas();
 struct RenderOptions {
   Terms terms{};
   Profile profile = profile_of(ProfileName::physical);
-  int max_depth = 4;  ///< levels of rays after the first: 0…kMaxDepth
-  int threads = 0;    ///< 0: as many as the machine has
-  int tile = 0;       ///< side of a tile in pixels, 1…kMaxTile; 0: chosen
-  /// A mistake to make, as solutions of the lab do; not for the oracle.
-  Mistake mistake = Mistake::none;
+  int max_depth = 4;         ///< levels of rays after the first: 0…kMaxDepth
+  int threads = 0;           ///< 0: as many as the machine has
+  int tile = 0;              ///< side of a tile in pixels, 1…kMaxTile; 0: chosen
   std::optional<Isa> isa{};  ///< none: ZRAKA_ISA from the environment, else the fastest
   /// Set from any thread, it ends the render early; the result is then a failure.
   const std::atomic<bool>* cancel = nullptr;

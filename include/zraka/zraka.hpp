@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole public API.
+// The whole public API of the library; the school's is <zraka/school/school.hpp>.
 #pragma once
 
 #include <zraka/compare.hpp>
 #include <zraka/diagnostic.hpp>
 #include <zraka/explain.hpp>
 #include <zraka/formats.hpp>
-#include <zraka/grade.hpp>
 #include <zraka/image.hpp>
 #include <zraka/influence.hpp>
-#include <zraka/mistakes.hpp>
-#include <zraka/quiz.hpp>
 #include <zraka/render.hpp>
 #include <zraka/scene.hpp>

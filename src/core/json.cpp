@@ -75,7 +75,8 @@ Json Json::object() {
 }
 
 bool Json::get_number(double& value) const {
-  if (const auto* i = std::get_if<std::int64_t>(&value_)) return value = static_cast<double>(*i), true;
+  if (const auto* i = std::get_if<std::int64_t>(&value_))
+    return value = static_cast<double>(*i), true;
   if (const auto* u = std::get_if<std::uint64_t>(&value_))
     return value = static_cast<double>(*u), true;
   if (const auto* d = std::get_if<double>(&value_)) return value = *d, true;
@@ -130,12 +131,11 @@ std::string Json::dump(int indent) const {
 
 Result<Json> Json::parse(std::string_view text, const std::string& file, int most_depth) {
   try {
-    return from_library(Library::parse(
-        text.begin(), text.end(),
-        [most_depth](int depth, Library::parse_event_t, Library&) {
-          if (depth > most_depth) throw TooDeep();
-          return true;
-        }));
+    return from_library(Library::parse(text.begin(), text.end(),
+                                       [most_depth](int depth, Library::parse_event_t, Library&) {
+                                         if (depth > most_depth) throw TooDeep();
+                                         return true;
+                                       }));
   } catch (const TooDeep&) {
     return failure(file, fmt::format("it is nested more than {} deep", most_depth));
   } catch (const Library::parse_error& error) {

@@ -29,8 +29,7 @@ class Json {
   template <std::signed_integral T>
   Json(T value) : value_(static_cast<std::int64_t>(value)) {}
   template <std::unsigned_integral T>
-    requires(!std::same_as<T, bool>)
-  Json(T value) : value_(static_cast<std::uint64_t>(value)) {}
+  requires(!std::same_as<T, bool>) Json(T value) : value_(static_cast<std::uint64_t>(value)) {}
   template <std::floating_point T>
   Json(T value) : value_(static_cast<double>(value)) {}
   Json(const char* value) : value_(std::string(value)) {}
@@ -41,8 +40,8 @@ class Json {
   template <class T, std::size_t N>
   Json(const std::array<T, N>& values) : value_(Array(values.begin(), values.end())) {}
   template <class T, std::size_t N>
-    requires(!std::same_as<T, char>)
-  Json(const T (&values)[N]) : value_(Array(std::begin(values), std::end(values))) {}
+  requires(!std::same_as<T, char>) Json(const T (&values)[N])
+      : value_(Array(std::begin(values), std::end(values))) {}
   /// An object if all values are pairs that begin with a string, else an array.
   Json(std::initializer_list<Json> values);
 

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <zraka/mistakes.hpp>
 #include <zraka/render.hpp>
 
 #include "scene/frozen.hpp"
@@ -18,8 +17,8 @@ struct TraceSettings {
   int max_depth = 4;
   bool clamp_levels = false;
   bool mirror_when_total = true;
-  /// For kernels that can make mistakes.
-  Mistake mistake = Mistake::none;
+  /// For kernels whose rules vary: which of their variations, 0 for none.
+  int variation = 0;
   float unit = 1;  ///< length of the engine's unit in the scene's
 };
 
@@ -156,7 +155,6 @@ extern const Kernel<float> kKernel;
 namespace isa_portable {
 extern const Kernel<float> kKernel;
 RecordTile<float> record_tile;
-extern const Kernel<float> kMistakenKernel;
 }  // namespace isa_portable
 namespace isa_oracle {
 extern const Kernel<double> kKernel;

@@ -128,15 +128,12 @@ void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const T
   for (std::size_t h = 0; h < n; h += L::kWidth) {
     const auto exists = L::first(n - h);
     const auto lit = both(L::load(scratch.lit + h) > F(0), exists);
-    if (!any(lit) && !rules.looks_into_shadows()) continue;
+    if (!Recorder::kKeeps && !any(lit)) continue;
     const auto material = load_materials<L>(scene.materials, scratch, h, n);
     const V3<F> normal = load_normal<L>(scratch, h);
     const V3<F> l{L::load(scratch.lx + h), L::load(scratch.ly + h), L::load(scratch.lz + h)};
     const F l_n = dot(l, normal);
-    const auto blocked = but_not(both(rules.faces(l_n), exists), lit);
-    V3<F> sum = rules.local_in_shadow(
-        V3<F>{L::load(level.hits.r + h), L::load(level.hits.g + h), L::load(level.hits.b + h)},
-        blocked);
+    V3<F> sum{L::load(level.hits.r + h), L::load(level.hits.g + h), L::load(level.hits.b + h)};
     if (terms.diffuse) {
       const V3<F> diffuse = intensity * material.color(kDiffuse) * rules.diffuse_factor(l_n);
       record.keep(Quantity::diffuse, h, diffuse);
@@ -152,7 +149,7 @@ void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const T
         const auto first = typename L::I(level.hits.ray[h]);
         return Indices<L>(select(exists, L::load(level.hits.ray + h), first)).load(scratch.t);
       });
-      const auto shines = both(rules.lit_for_specular(lit, blocked), rules.shines(r_v));
+      const auto shines = both(lit, rules.shines(r_v));
       record.keep(Quantity::mirrored, h, r);
       record.keep(Quantity::r_v, h, r_v);
       record.keep(Quantity::shines, h, select(shines, F(1), F(0)));
@@ -192,23 +189,22 @@ void start_local(const FrozenScene<R>& scene, const Terms& terms, Level<R>& leve
 }
 
 /// I = Ia·ka + for each light that reaches the hit: Ii·kd·(L·N) + Ii·ks·(R·V)^n.
-template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
+template <class L, class R = typename L::Real, class Recorder, class Stepping>
 void light_hits(const FrozenScene<R>& scene, const TraceSettings& settings, Level<R>& level,
-                Scratch<R>& scratch, RayCounts& counts, const Recorder& record = {},
-                const Ruling& rules = {}) {
+                Scratch<R>& scratch, RayCounts& counts, const Recorder& record,
+                const Stepping& steps) {
   const Terms& terms = settings.terms;
   start_local<L>(scene, terms, level, scratch);
   record.hits(level, scratch);
   if (terms.silhouette || !(terms.diffuse || terms.specular)) return;
   for (std::int32_t i = 0; i < scene.light_count; ++i) {
     const auto n = static_cast<std::size_t>(level.hit_count);
-    const std::size_t shadow_rays = make_shadow_rays<L>(scene.lights[i], n, scratch, record, rules);
+    const std::size_t shadow_rays = make_shadow_rays<L>(scene.lights[i], n, scratch, record, steps);
     if (terms.shadows) {
-      trace_shadow_rays<L>(scene, shadow_rays, scratch);
-      rules.template after_shadow_rays<L>(scene, shadow_rays, scratch);
+      steps.template trace_shadow_rays<L>(scene, shadow_rays, scratch);
       counts.shadow += shadow_rays;
     }
-    add_light<L>(scene, scene.lights[i], terms, level, scratch, record, rules);
+    steps.template add_light<L>(scene, scene.lights[i], terms, level, scratch, record, steps);
     record.light(scene, i, shadow_rays, level, scratch);
   }
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The engine once more, telling its terms, and able to make one of the lab's mistakes. Compiled
-// like kernel.cpp, for the portable set, whose bits are those of all others; and apart from it, so
-// that the renderer's code stays what it is.
-#include "engine/mistaken_rules.hpp"
+// The engine once more, telling its terms. Compiled like kernel.cpp, for the portable set, whose
+// bits are those of all others; and apart from it, so that the renderer's code stays what it is.
 #include "engine/trace_tile.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -11,8 +9,7 @@ void record_tile(const FrozenScene<float>& scene, const TraceSettings& settings,
                  const TileRect& tile, Workspace<float>& workspace, RayCounts& counts,
                  float* pixels, std::size_t stride, Recording<float>& recording) {
   trace_tile<WideLanes>(scene, settings, tile, workspace, counts, pixels, stride,
-                        Record<WideLanes>(recording),
-                        MistakenRules{{}, settings.mistake, settings.unit});
+                        Record<WideLanes>(recording));
 }
 
 }  // namespace zraka::ZRAKA_ISA

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sheet's rules where solutions of the lab go wrong, a function for each. The renderer's steps
-// ask Rules, whose functions are a plain line each; mistaken_rules.hpp breaks one at a time, so
-// that a picture with a mistake is traced by the very steps that trace the right one.
+// The optics of a hit, a function for each quantity, so that the renderer's steps can be compiled
+// with another one in its place: lessons of the school show what each of them is for.
 #pragma once
 
 #include "accel/traverse.hpp"
@@ -22,10 +21,9 @@ struct Rules {
     return {select(inside, -outward.x, outward.x), select(inside, -outward.y, outward.y),
             select(inside, -outward.z, outward.z)};
   }
-  /// The normal of R = -aN - bU, if that is another one.
-  ZRAKA_INLINE bool turns_for_refraction() const { return false; }
+  /// The normal of R = -aN - bU.
   template <class F, class M>
-  ZRAKA_INLINE V3<F> refraction_normal(const V3<F>& seen, M) const {
+  ZRAKA_INLINE V3<F> refraction_normal(const V3<F>& seen, M /*inside*/) const {
     return seen;
   }
   /// How far from the surface the next rays begin (the sheet's Epsilon).
@@ -69,20 +67,6 @@ struct Rules {
   ZRAKA_INLINE F highlight(F r_v, F shininess) const {
     return power(min(max(r_v, F(0)), F(1)), shininess);
   }
-  /// What shadow rays leave behind besides their answer: nothing.
-  template <class L, class R>
-  ZRAKA_INLINE void after_shadow_rays(const FrozenScene<R>&, std::size_t, Scratch<R>&) const {}
-  /// Hits that face the light and whose shadow ray is blocked: is there anything to do for them,
-  /// what is left of the local light, and which hits get the specular term?
-  ZRAKA_INLINE bool looks_into_shadows() const { return false; }
-  template <class F, class M>
-  ZRAKA_INLINE V3<F> local_in_shadow(const V3<F>& local, M /*blocked*/) const {
-    return local;
-  }
-  template <class M>
-  ZRAKA_INLINE M lit_for_specular(M lit, M /*blocked*/) const {
-    return lit;
-  }
   /// The column of n1/n2 where a ray leaves the body.
   ZRAKA_INLINE int ratio_on_exit() const { return kRatioOut; }
   /// U·N, as Snell's law has it.
@@ -95,10 +79,6 @@ struct Rules {
   ZRAKA_INLINE F discriminant(F d) const {
     return d;
   }
-  /// What hits [h, h + kWidth) whose refracted ray cannot be get in its place: nothing.
-  template <class L, class F, class M, class R>
-  ZRAKA_INLINE void instead_of_refracted(const Level<R>&, std::size_t, M /*total*/,
-                                         F /*refraction*/) const {}
   template <class F>
   ZRAKA_INLINE V3<F> reflected(const V3<F>& direction) const {
     return direction;

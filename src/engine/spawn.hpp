@@ -59,10 +59,8 @@ struct HitLanes {
   ZRAKA_INLINE HitLanes for_refraction(const Scratch<R>& scratch, std::size_t h,
                                        const Ruling& rules) const {
     HitLanes hit = *this;
-    if (rules.turns_for_refraction()) {
-      hit.normal = rules.refraction_normal(normal, L::load(scratch.inside + h) > F(0));
-      hit.cosine = dot(view, hit.normal);
-    }
+    hit.normal = rules.refraction_normal(normal, L::load(scratch.inside + h) > F(0));
+    hit.cosine = dot(view, hit.normal);
     return hit;
   }
 };
@@ -101,8 +99,6 @@ void spawn_reflected(const FrozenScene<R>& scene, const TraceSettings& settings,
       const auto passes = snell.d >= F(0);
       record.keep(Quantity::ratio, h, snell.b);
       record.keep(Quantity::quarter_d, h, snell.d);
-      rules.template instead_of_refracted<L>(level, h, but_not(L::first(n - h), passes),
-                                             refraction);
       if (settings.mirror_when_total)
         reflection = select(passes, reflection, reflection + refraction);
       refraction = select(passes, refraction, F(0));

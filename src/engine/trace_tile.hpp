@@ -11,43 +11,45 @@
 #include "engine/record.hpp"
 #include "engine/rules.hpp"
 #include "engine/spawn.hpp"
+#include "engine/steps.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
 /// Traces the next rays of a level, as many as a batch holds, and puts their children into `next`;
 /// nullptr where rays have reached the greatest depth.
-template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
+template <class L, class R = typename L::Real, class Recorder = NoRecord, class Stepping = Steps>
 void trace_batch(const FrozenScene<R>& scene, const TraceSettings& settings, Level<R>& level,
                  Level<R>* next, Workspace<R>& workspace, RayCounts& counts,
-                 const Recorder& record = {}, const Ruling& rules = {}) {
+                 const Recorder& record = {}, const Stepping& steps = {}) {
   const std::int32_t left = level.ray_count - level.done;
   level.in_batch = left < workspace.batch ? left : workspace.batch;
 
-  trace_nearest<L>(scene, level, workspace.scratch, rules);
+  trace_nearest<L>(scene, level, workspace.scratch, steps);
   counts.hits += static_cast<std::uint64_t>(level.hit_count);
-  find_surfaces<L>(scene, level, workspace.scratch, rules);
-  light_hits<L>(scene, settings, level, workspace.scratch, counts, record, rules);
+  find_surfaces<L>(scene, level, workspace.scratch, steps);
+  light_hits<L>(scene, settings, level, workspace.scratch, counts, record, steps);
 
   if (next == nullptr || settings.terms.silhouette) return;
   if (!settings.terms.reflection && !settings.terms.refraction) return;
-  spawn_reflected<L>(scene, settings, level, workspace.scratch, *next, counts, record, rules);
-  spawn_refracted<L>(scene, level, workspace.scratch, *next, counts, record, rules);
+  steps.template spawn_reflected<L>(scene, settings, level, workspace.scratch, *next, counts,
+                                    record, steps);
+  spawn_refracted<L>(scene, level, workspace.scratch, *next, counts, record, steps);
   record.children(level, *next);
 }
 
 /// Grows and folds the trees of the rays in level 0. A batch has at most two children a ray, so a
 /// level never holds more than two batches: memory is bounded by the depth, however the trees
 /// branch.
-template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
+template <class L, class R = typename L::Real, class Recorder = NoRecord, class Stepping = Steps>
 void trace_trees(const FrozenScene<R>& scene, const TraceSettings& settings,
                  Workspace<R>& workspace, RayCounts& counts, const Recorder& record = {},
-                 const Ruling& rules = {}) {
+                 const Stepping& steps = {}) {
   for (int depth = 0;;) {
     Level<R>& level = workspace.levels[depth];
     if (level.done < level.ray_count) {
       Level<R>* next = depth < settings.max_depth ? &level + 1 : nullptr;
       if (next != nullptr) next->ray_count = next->done = 0;
-      trace_batch<L>(scene, settings, level, next, workspace, counts, record, rules);
+      trace_batch<L>(scene, settings, level, next, workspace, counts, record, steps);
       if (next != nullptr && next->ray_count > 0 && record.goes_on())
         ++depth;  // the children first
       else
@@ -61,15 +63,15 @@ void trace_trees(const FrozenScene<R>& scene, const TraceSettings& settings,
   }
 }
 
-template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
+template <class L, class R = typename L::Real, class Recorder = NoRecord, class Stepping = Steps>
 void trace_tile(const FrozenScene<R>& scene, const TraceSettings& settings, const TileRect& tile,
                 Workspace<R>& workspace, RayCounts& counts, float* pixels, std::size_t stride,
-                const Recorder& record = {}, const Ruling& rules = {}) {
+                const Recorder& record = {}, const Stepping& steps = {}) {
   Level<R>& top = workspace.levels[0];
   top.done = 0;
   make_camera_rays<L>(scene.camera, tile, top);
   counts.camera += static_cast<std::uint64_t>(top.ray_count);
-  trace_trees<L>(scene, settings, workspace, counts, record, rules);
+  trace_trees<L>(scene, settings, workspace, counts, record, steps);
 
   std::size_t i = 0;
   each_pixel(tile, [&](std::int32_t x, std::int32_t y) {

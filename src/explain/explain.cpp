@@ -10,8 +10,8 @@
 #include "explain/tile_listeners.hpp"
 #include "render/corners.hpp"
 #include "render/isa.hpp"
-#include "render/mistake.hpp"
 #include "render/prepare.hpp"
+#include "render/variation.hpp"
 #include "render/workspace.hpp"
 
 namespace zraka {
@@ -24,6 +24,7 @@ struct Stand {
   TraceSettings settings;
   PreparedScene<float> prepared;
   const Kernel<float>* kernel;
+  Variation variation;
 
   const FrozenScene<float>& frozen() const { return prepared.store->scene; }
   NamedShape named(std::int32_t slot) const {
@@ -63,8 +64,9 @@ class TreeReader {
   bool read(const TileRect& pixel) {
     RayCounts counts;
     Float3 ignored{};
-    record_tile()(stand_.frozen(), stand_.settings, pixel, workspace_.workspace(), counts,
-                  ignored.data(), 1, terms_.recording());
+    (stand_.variation.record == nullptr ? record_tile() : *stand_.variation.record)(
+        stand_.frozen(), stand_.settings, pixel, workspace_.workspace(), counts, ignored.data(), 1,
+        terms_.recording());
     return !terms_.recording().stop;
   }
   RayTree& tree() { return tree_; }
@@ -122,8 +124,8 @@ ExplainedHit TreeReader::surface(const Level<float>& level, const Scratch<float>
   hit.distance = stand_.length(s.t[ray]);
   hit.point = stand_.world_point(s.px[h], s.py[h], s.pz[h]);
   hit.normal = {s.nx[h], s.ny[h], s.nz[h]};
-  const bool turns = stand_.settings.mistake != Mistake::normal_outward &&
-                     stand_.settings.mistake != Mistake::normal_for_refraction;
+  const float seen = s.nx[h] * s.vx[h] + s.ny[h] * s.vy[h] + s.nz[h] * s.vz[h];
+  const bool turns = stand_.settings.variation == 0 || seen >= 0;
   hit.flipped = turns && s.inside[h] > 0;
   hit.ka = {m[kAmbient], m[kAmbient + 1], m[kAmbient + 2]};
   hit.kd = {m[kDiffuse], m[kDiffuse + 1], m[kDiffuse + 2]};
@@ -187,13 +189,12 @@ void TreeReader::at_light(std::int32_t light, std::size_t shadow_rays, const Lev
   for (std::size_t h = 0; h < hits; ++h) {
     LightTerms& at = of_light(h);
     const bool lit = s.lit[h] > 0;
-    const bool specular = lit || (at.reach == Reach::blocked &&
-                                  stand_.settings.mistake == Mistake::shadow_leaves_specular);
-    if (!specular) continue;
     if (stage.diffuse && lit) at.diffuse = terms_.three_at(Quantity::diffuse, h);
     if (!stage.specular) continue;
-    at.r_v = terms_.at(Quantity::r_v, h);
-    if (!(terms_.at(Quantity::shines, h) > 0)) continue;
+    // A varied rule may add the specular term of a light that does not reach the hit.
+    const bool shines = terms_.at(Quantity::shines, h) > 0;
+    if (lit || shines) at.r_v = terms_.at(Quantity::r_v, h);
+    if (!shines) continue;
     at.highlight = terms_.at(Quantity::highlight, h);
     at.specular = terms_.three_at(Quantity::specular, h);
   }
@@ -285,7 +286,6 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
                           .terms = stand.options.terms,
                           .profile = stand.options.profile,
                           .max_depth = stand.options.max_depth,
-                          .mistake = stand.options.mistake,
                           .ambient_light = float3(stand.frozen().ambient_light),
                           .background = float3(stand.frozen().background)};
   for (std::size_t i = 0; i < stand.scene.lights.size(); ++i)
@@ -304,20 +304,30 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
       const auto corner = [&](std::size_t i) { return explanation.trees[i].rays[0].color[c]; };
       explanation.color[c] = mean_of_corners(corner(0), corner(1), corner(2), corner(3));
     }
-  Image pixel(1, 1);
-  std::copy(explanation.color.begin(), explanation.color.end(), pixel.pixels.begin());
-  apply_mistake(pixel, stand.options.mistake);
-  std::copy_n(pixel.pixels.begin(), 3, explanation.color.begin());
+  if (!stand.variation.rules.key.empty()) explanation.varied = stand.variation.rules;
+  if (stand.variation.vary_image) {
+    Image pixel(1, 1);
+    std::copy(explanation.color.begin(), explanation.color.end(), pixel.pixels.begin());
+    stand.variation.vary_image(pixel);
+    std::copy_n(pixel.pixels.begin(), 3, explanation.color.begin());
+  }
   return explanation;
 }
 
-Stand stand_for(const Scene& scene, const RenderOptions& options, Isa isa) {
-  const bool right = options.mistake == Mistake::none;
-  const RenderOptions made = mistaken_options(options);
-  PreparedScene<float> prepared = right ? prepare<float>(scene, made.profile)
-                                        : prepare<float>(mistaken_scene(scene, made), made.profile);
-  const TraceSettings settings = settings_of(made, prepared.frame);
-  return {scene, made, settings, std::move(prepared), right ? &kernel_of(isa) : &mistaken_kernel()};
+Stand stand_for(const Scene& scene, RenderOptions options, Isa isa, const Variation& variation) {
+  if (variation.vary_options) variation.vary_options(options);
+  Scene varied;
+  if (variation.vary_scene) variation.vary_scene(varied = scene);
+  PreparedScene<float> prepared = variation.vary_scene
+                                      ? prepare<float>(std::move(varied), options.profile)
+                                      : prepare<float>(scene, options.profile);
+  const TraceSettings settings = settings_of(options, prepared.frame, variation.number);
+  return {scene,
+          options,
+          settings,
+          std::move(prepared),
+          variation.kernel == nullptr ? &kernel_of(isa) : variation.kernel,
+          variation};
 }
 
 }  // namespace
@@ -332,10 +342,16 @@ Explainer& Explainer::operator=(Explainer&&) noexcept = default;
 Explainer::~Explainer() = default;
 
 Result<Explainer> Explainer::create(const Scene& scene, const RenderOptions& options) {
+  return varied_explainer(scene, options, {});
+}
+
+Result<Explainer> varied_explainer(const Scene& scene, const RenderOptions& options,
+                                   const Variation& variation) {
   const Result<Isa> isa = isa_to_listen_to(scene, options);
   if (!isa) return tl::make_unexpected(isa.error());
   try {
-    return Explainer(std::unique_ptr<Impl>(new Impl{stand_for(scene, options, *isa)}));
+    return Explainer(std::unique_ptr<Explainer::Impl>(
+        new Explainer::Impl{stand_for(scene, options, *isa, variation)}));
   } catch (const std::bad_alloc&) {
     return failure("", fmt::format("not enough memory for {} shapes", scene.shape_count()));
   }

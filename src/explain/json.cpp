@@ -170,7 +170,7 @@ std::string to_json(const Explanation& e, const std::string& scene, const std::s
                  {"shadows", e.terms.shadows},
                  {"reflection", e.terms.reflection},
                  {"refraction", e.terms.refraction}}},
-               {"mistake", e.mistake == Mistake::none ? Json() : Json(entry_of(e.mistake).key)},
+               {"mistake", e.varied ? Json(e.varied->key) : Json()},
                {"background", number(e.background)},
                {"ambient_light", number(e.ambient_light)},
                {"lights", Json::array()}};

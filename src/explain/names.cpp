@@ -44,13 +44,12 @@ std::string_view text_of(Language language, Stage stage) {
                                              static_cast<int>(stage) - 1));
 }
 
-std::string_view text_of(Language language, Mistake mistake) {
-  const MistakeEntry& entry = entry_of(mistake);
-  return language == Language::english ? entry.english : entry.croatian;
+std::string_view text_of(Language language, const VariedRules& rules) {
+  return language == Language::english ? rules.english : rules.croatian;
 }
 
 Word after_total_reflection(const Explanation& explanation) {
-  if (explanation.mistake == Mistake::total_white) return Word::total_white;
+  if (explanation.varied && explanation.varied->white_when_total) return Word::total_white;
   return explanation.profile.mirror_when_total ? Word::total_mirrored : Word::total_black;
 }
 

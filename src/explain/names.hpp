@@ -24,8 +24,8 @@ std::string label_of(Language language, const NamedShape& shape, Case form = Cas
 /// "stage 5: shadows".
 std::string_view text_of(Language language, Stage stage);
 
-/// What is wrong, as a sentence without a full stop. Not for Mistake::none.
-std::string_view text_of(Language language, Mistake mistake);
+/// What a varied rule does, as a sentence without a full stop.
+std::string_view text_of(Language language, const VariedRules& rules);
 
 /// What becomes of the refracted share where there is total internal reflection.
 Word after_total_reflection(const Explanation& explanation);

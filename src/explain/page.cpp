@@ -94,9 +94,9 @@ void Page::head() {
     facts += fmt::format(" · {}", html_text(text_of(options_.language, *stage)));
   put("<header>\n<p class=\"file\">{}</p>\n<h1>{}</h1>\n<p class=\"facts\">{} · {}</p>\n",
       html_text(options_.scene), title, facts, say(Word::depth_is, e_.max_depth));
-  if (e_.mistake != Mistake::none)
+  if (e_.varied)
     put("<p class=\"unlit\">{}</p>\n",
-        say(Word::with_mistake, text_of(options_.language, e_.mistake)));
+        say(Word::with_mistake, text_of(options_.language, *e_.varied)));
   const auto byte = [&](std::size_t c) { return quantize(e_.color[c], e_.profile.transfer, 8); };
   put("<div class=\"answer\">{}<div><p class=\"sentence\">{}</p>\n"
       "<p class=\"numbers\">{}: {}; {} ({}, {}, {})</p></div></div>\n</header>\n",

@@ -221,8 +221,8 @@ std::string Writer::header() const {
 std::string Writer::write() {
   if (!options_.sums_only) {
     line("", in(Style::strong, header()));
-    if (e_.mistake != Mistake::none)
-      line("", in(Style::shadow, say(Word::with_mistake, text_of(options_.language, e_.mistake))));
+    if (e_.varied)
+      line("", in(Style::shadow, say(Word::with_mistake, text_of(options_.language, *e_.varied))));
   }
   for (std::size_t t = 0; t < e_.trees.size(); ++t) {
     const ExplainedRay& root = e_.trees[t].rays.front();

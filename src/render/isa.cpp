@@ -87,10 +87,6 @@ const Kernel<float>& kernel_of([[maybe_unused]] Isa isa) {
   return isa_portable::kKernel;
 }
 
-const Kernel<float>& mistaken_kernel() {
-  return isa_portable::kMistakenKernel;
-}
-
 RecordTile<float>& record_tile() {
   return isa_portable::record_tile;
 }

@@ -14,8 +14,6 @@ Result<Isa> choose_isa(std::optional<Isa> wanted);
 
 /// The engine for an available instruction set; not for Isa::oracle.
 const Kernel<float>& kernel_of(Isa isa);
-/// The engine that can make mistakes; its bits are those of all sets where it makes none.
-const Kernel<float>& mistaken_kernel();
 /// The engine that tells its terms; its bits are those of all sets.
 RecordTile<float>& record_tile();
 

@@ -30,12 +30,12 @@ Diagnostics check_request(const Scene& scene, const RenderOptions& options) {
   return found;
 }
 
-TraceSettings settings_of(const RenderOptions& options, const Frame& frame) {
+TraceSettings settings_of(const RenderOptions& options, const Frame& frame, int variation) {
   return {options.terms,
           options.max_depth,
           options.profile.clamp_levels,
           options.profile.mirror_when_total,
-          options.mistake,
+          variation,
           static_cast<float>(frame.world_length(1))};
 }
 

@@ -14,7 +14,7 @@ namespace zraka {
 /// What is wrong with options or scene; empty when all is well.
 Diagnostics check_request(const Scene& scene, const RenderOptions& options);
 
-TraceSettings settings_of(const RenderOptions& options, const Frame& frame);
+TraceSettings settings_of(const RenderOptions& options, const Frame& frame, int variation = 0);
 
 /// The scene as the engine reads it, and the memory behind it.
 template <class R>

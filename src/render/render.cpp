@@ -15,10 +15,10 @@
 #include "core/spread.hpp"
 #include "render/corners.hpp"
 #include "render/isa.hpp"
-#include "render/mistake.hpp"
 #include "render/prepare.hpp"
 #include "render/screen_bounds.hpp"
 #include "render/tiles.hpp"
+#include "render/variation.hpp"
 #include "render/workspace.hpp"
 
 namespace zraka {
@@ -74,11 +74,11 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
                   const TraceSettings& settings, const RenderOptions& options, int tile,
                   int threads, Rendering& rendering) {
   Image& image = rendering.image;
-  // The oracle asks with every ray, and so do mistakes, which may be about what rays hit.
+  // The oracle asks with every ray, and so do varied rules, which may be about what rays hit.
   std::optional<ScreenBounds> bounds;
   std::vector<float> background;
   if constexpr (std::is_same_v<R, float>)
-    if (options.mistake == Mistake::none) {
+    if (settings.variation == 0) {
       bounds.emplace(scene, image.width, image.height);
       const V3<float>& color = scene.background;
       for (int i = 0; i < tile; ++i)
@@ -115,7 +115,7 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
 
 template <class R, class SceneRef>
 bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOptions& options,
-                       int tile, int threads, Rendering& rendering) {
+                       int tile, int threads, int variation, Rendering& rendering) {
   const auto start = std::chrono::steady_clock::now();
   const Resolution resolution = scene.resolution;
   if (scene.shape_count() >= kManyShapes) spread_workers(threads);
@@ -130,8 +130,8 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   rendering.image = Image(resolution.width + more, resolution.height + more);
   const auto traced = std::chrono::steady_clock::now();
   const bool complete =
-      render_tiles(prepared.store->scene, kernel, settings_of(options, prepared.frame), options,
-                   tile, threads, rendering);
+      render_tiles(prepared.store->scene, kernel, settings_of(options, prepared.frame, variation),
+                   options, tile, threads, rendering);
   if (complete && options.profile.average_corners)
     rendering.image = means_of_corners(std::move(rendering.image));
   rendering.stats.render_seconds = seconds_since(traced);
@@ -139,7 +139,8 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
 }
 
 template <class SceneRef>
-Result<Rendering> render_right_or_wrong(SceneRef&& scene, const RenderOptions& options) {
+Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
+                             const Variation& variation = {}) {
   const int threads = options.threads == 0 ? tbb::info::default_concurrency()
                                            : std::clamp(options.threads, 1, kMaxThreads);
   tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
@@ -148,7 +149,7 @@ Result<Rendering> render_right_or_wrong(SceneRef&& scene, const RenderOptions& o
   if (!problems.empty()) return tl::make_unexpected(std::move(problems));
   const Result<Isa> isa = choose_isa(options.isa);
   if (!isa) return tl::make_unexpected(isa.error());
-  if (*isa == Isa::oracle && options.mistake != Mistake::none)
+  if (*isa == Isa::oracle && variation.kernel != nullptr)
     return failure("", "the oracle makes no mistakes", "ask for avx512, avx2 or portable");
 
   const Resolution resolution = scene.resolution;
@@ -162,26 +163,16 @@ Result<Rendering> render_right_or_wrong(SceneRef&& scene, const RenderOptions& o
     const bool complete =
         *isa == Isa::oracle
             ? freeze_and_render<double>(std::forward<SceneRef>(scene), isa_oracle::kKernel, options,
-                                        tile, threads, rendering)
+                                        tile, threads, 0, rendering)
             : freeze_and_render<float>(
                   std::forward<SceneRef>(scene),
-                  options.mistake == Mistake::none ? kernel_of(*isa) : mistaken_kernel(), options,
-                  tile, threads, rendering);
+                  variation.kernel == nullptr ? kernel_of(*isa) : *variation.kernel, options, tile,
+                  threads, variation.number, rendering);
     if (!complete) return failure("", "the render was cancelled");
   } catch (const std::bad_alloc&) {
     return failure("", fmt::format("not enough memory for a picture of {}×{} pixels and {} shapes",
                                    resolution.width, resolution.height, shapes));
   }
-  return rendering;
-}
-
-template <class SceneRef>
-Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options) {
-  if (options.mistake == Mistake::none)
-    return render_right_or_wrong(std::forward<SceneRef>(scene), options);
-  Result<Rendering> rendering = render_right_or_wrong(
-      mistaken_scene(std::forward<SceneRef>(scene), options), mistaken_options(options));
-  if (rendering) apply_mistake(rendering->image, options.mistake);
   return rendering;
 }
 
@@ -193,6 +184,17 @@ Result<Rendering> render(const Scene& scene, const RenderOptions& options) {
 
 Result<Rendering> render(Scene&& scene, const RenderOptions& options) {
   return render_any(std::move(scene), options);
+}
+
+Result<Rendering> render_varied(const Scene& scene, const RenderOptions& options,
+                                const Variation& variation) {
+  Scene varied = scene;
+  if (variation.vary_scene) variation.vary_scene(varied);
+  RenderOptions other = options;
+  if (variation.vary_options) variation.vary_options(other);
+  Result<Rendering> rendering = render_any(std::move(varied), other, variation);
+  if (rendering && variation.vary_image) variation.vary_image(rendering->image);
+  return rendering;
 }
 
 }  // namespace zraka

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures by other rules than the profile's, for lessons that show what a rule is for.
+#pragma once
+
+#include <zraka/explain.hpp>
+#include <zraka/render.hpp>
+
+#include "engine/engine.hpp"
+
+namespace zraka {
+
+/// What is varied. Functions that are empty vary nothing.
+struct Variation {
+  int number = 0;  ///< for the kernels, TraceSettings::variation
+  const Kernel<float>* kernel = nullptr;
+  RecordTile<float>* record = nullptr;
+  std::function<void(Scene&)> vary_scene{};
+  std::function<void(RenderOptions&)> vary_options{};
+  std::function<void(Image&)> vary_image{};
+  VariedRules rules{};
+};
+
+/// render() with a variation; not for Isa::oracle.
+Result<Rendering> render_varied(const Scene& scene, const RenderOptions& options,
+                                const Variation& variation);
+/// Explainer::create() with a variation.
+Result<Explainer> varied_explainer(const Scene& scene, const RenderOptions& options,
+                                   const Variation& variation);
+
+}  // namespace zraka

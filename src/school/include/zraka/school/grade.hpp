@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Marks for pictures of the lab's stages, and the cause of what is wrong in them.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+#include <zraka/compare.hpp>
+#include <zraka/explain.hpp>
+#include <zraka/school/mistakes.hpp>
+
+namespace zraka {
+
+/// What a teacher sets (docs/grade.md).
+struct Rubric {
+  std::array<double, 7> marks = {1, 1, 1, 1, 1, 1, 1};  ///< of a right picture, stage by stage
+  double tolerance = 2;       ///< what a channel may differ by, in steps of 1/255
+  double share = 0.005;       ///< of the pixels that may differ by more
+  double for_mistake = 0.5;   ///< share of the marks that is left where a mistake is named first
+  bool once = true;           ///< a mistake costs where it is first seen, and not again
+  std::set<Mistake> allowed;  ///< mistakes that cost nothing
+};
+/// Allows what the sheet's wording allows.
+Rubric default_rubric();
+/// From JSON (docs/grade.md). Fails with the place of what is wrong.
+Result<Rubric> read_rubric(const std::string& path);
+
+/// How a submission had to be brought into line; none of it costs marks.
+struct Alignment {
+  bool flipped = false;                                        ///< upside down
+  bool swapped = false;                                        ///< red and blue
+  enum class Curve { none, srgb, power } curve = Curve::none;  ///< taken back from the colours
+  bool scaled = false;                                         ///< another size of the same shape
+  bool cut = false;  ///< a part of a window; the picture begins at left, top in it
+  std::int32_t left = 0, top = 0;
+  bool plain() const { return !flipped && !swapped && curve == Curve::none && !scaled && !cut; }
+};
+
+enum class Verdict {
+  right,
+  mistaken,  ///< one of the catalogue's mistakes makes this picture
+  differs,   ///< none does
+  missing,
+  unreadable
+};
+
+struct StageGrade {
+  int stage = 1;
+  std::string file{};  ///< "" where missing
+  Verdict verdict = Verdict::missing;
+  double marks = 0, of = 0;
+  Alignment alignment{};
+  /// Those that make the picture; several where the scene cannot tell them apart.
+  std::vector<Mistake> mistakes{};
+  bool repeated = false;   ///< the mistake was there in an earlier stage
+  double share_wrong = 0;  ///< pixels that differ from the right picture
+  double share_left = 0;   ///< pixels that differ from what is named
+  std::vector<PixelPair>
+      pixels{};            ///< a: the submission, b: the right picture, where they differ first
+  Diagnostics problems{};  ///< of an unreadable file
+  /// As it was compared; what was cut off of it is the right picture's. Empty where there is none.
+  Image aligned{};
+};
+
+struct Grade {
+  std::string name;
+  std::vector<StageGrade> stages;
+  double marks = 0, of = 0;
+  Diagnostics problems;  ///< of the whole submission; then there are no stages
+};
+
+/// Why a pixel has its colour, right and with a mistake.
+struct ToldApart {
+  Explanation right, mistaken;
+};
+
+/// Marks submissions of one scene, from any number of threads. The scene must outlive it.
+class Grader {
+ public:
+  static Result<Grader> create(const Scene& scene, const RenderOptions& options,
+                               const Rubric& rubric = default_rubric());
+  Grader(Grader&&) noexcept;
+  ~Grader();
+
+  /// A picture, a folder of pictures, or a zip archive of pictures. A single picture is one of the
+  /// stage that it is nearest to. Never fails: what is wrong stands in the grade.
+  Grade grade(const std::string& path) const;
+
+  /// The picture of a stage as an 8 bit file has it, right or with a mistake.
+  Image picture(int stage, Mistake mistake = Mistake::none) const;
+  const Rubric& rubric() const;
+
+  /// The pixel that the named mistake changes most. None where no mistake is named.
+  std::optional<ToldApart> told_apart(const StageGrade& stage) const;
+
+ private:
+  struct Impl;
+  explicit Grader(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace zraka

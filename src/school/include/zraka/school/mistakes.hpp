@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The catalogue of mistakes that a picture can be rendered with, for grading and for questions.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+#include <zraka/explain.hpp>
+#include <zraka/render.hpp>
+
+namespace zraka {
+
+enum class Mistake {
+  none,
+#define ZRAKA_MISTAKE(name, key, allowed, stage, english, croatian) name,
+#include <zraka/school/mistakes.def>
+#undef ZRAKA_MISTAKE
+};
+
+/// A mistake as people and files call it.
+struct MistakeEntry {
+  Mistake mistake;
+  std::string_view key;  ///< in rubrics and JSON: "feeler-unbounded"
+  bool allowed;          ///< the sheet's wording allows it, so it costs no marks by default
+  int first_stage;       ///< 1 to 7: the first of the lab's pictures that can show it
+  std::string_view english, croatian;
+};
+
+/// All mistakes, without Mistake::none.
+const std::vector<MistakeEntry>& all_mistakes();
+/// Not for Mistake::none.
+const MistakeEntry& entry_of(Mistake mistake);
+std::optional<Mistake> mistake_named(std::string_view key);
+
+/// render() as a program does that makes the mistake. Fails where render() does, and for
+/// Isa::oracle.
+Result<Rendering> render_mistaken(const Scene& scene, const RenderOptions& options,
+                                  Mistake mistake);
+/// Explainer::create() for such a picture.
+Result<Explainer> mistaken_explainer(const Scene& scene, const RenderOptions& options,
+                                     Mistake mistake);
+/// explain() for a pixel of such a picture.
+Result<Explanation> explain_mistaken(const Scene& scene, const RenderOptions& options,
+                                     Mistake mistake, std::uint32_t x, std::uint32_t y);
+
+}  // namespace zraka

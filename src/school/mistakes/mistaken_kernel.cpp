@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The engine once more, making one of the lab's mistakes. Compiled like kernel.cpp, for the
+// portable set, whose bits are those of all others.
+#include "school/mistakes/mistaken_kernel.hpp"
+
+#include "school/mistakes/mistaken_steps.hpp"
+
+namespace zraka::ZRAKA_ISA {
+
+MistakenSteps steps_for(const TraceSettings& settings) {
+  return {{{}, static_cast<Mistake>(settings.variation), settings.unit}};
+}
+
+void mistaken_tile(const FrozenScene<float>& scene, const TraceSettings& settings,
+                   const TileRect& tile, Workspace<float>& workspace, RayCounts& counts,
+                   float* pixels, std::size_t stride) {
+  trace_tile<WideLanes>(scene, settings, tile, workspace, counts, pixels, stride, NoRecord{},
+                        steps_for(settings));
+}
+
+extern const Kernel<float> kMistakenKernel;
+const Kernel<float> kMistakenKernel = {mistaken_tile, static_cast<int>(WideLanes::kWidth)};
+
+}  // namespace zraka::ZRAKA_ISA
