@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "school/glyphs/font.hpp"
 
-#include <fontconfig/fontconfig.h>
-#include <ft2build.h>
-#include FT_FREETYPE_H
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "school/late/fonts.hpp"
 
 namespace zraka {
 
@@ -73,6 +70,8 @@ struct Placed {
 }  // namespace
 
 Result<Font> Font::open(const std::string& path) {
+  for (const LateLibrary& library : {kFreetype, kFontconfig})
+    if (Result<void> loaded = library.load(); !loaded) return tl::make_unexpected(loaded.error());
   auto face = std::make_shared<Face>();
   face->path = path.empty() ? find_font() : path;
   if (face->path.empty())

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "school/grade/submission.hpp"
 
-#include <archive.h>
-#include <archive_entry.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <new>
 
 #include "core/text.hpp"
+#include "school/late/archive.hpp"
 
 namespace zraka {
 namespace {

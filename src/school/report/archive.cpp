@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "school/report/archive.hpp"
 
-#include <archive.h>
-#include <archive_entry.h>
 #include <fmt/format.h>
 
 #include <memory>
 
 #include "core/text.hpp"
 #include "core/words.hpp"
+#include "school/late/archive.hpp"
 
 namespace zraka {
 namespace {
@@ -65,6 +64,7 @@ std::string initial_of(const std::string& author) {
 }
 
 Result<std::string> zip_of(const std::vector<NamedBytes>& files) {
+  if (Result<void> loaded = kLibarchive.load(); !loaded) return tl::make_unexpected(loaded.error());
   std::string zip;
   const std::unique_ptr<archive, int (*)(archive*)> writer(archive_write_new(), archive_write_free);
   const auto append = [](archive*, void* to, const void* bytes, std::size_t size) {
