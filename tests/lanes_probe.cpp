@@ -108,7 +108,7 @@ std::size_t wrong_pairs(unsigned seed) {
     FewRays<L> rays;
     while (rays.count < few) {
       rays.ray[rays.count] = static_cast<std::int32_t>(below(RayGroup<L>::kRays));
-      rays.met[rays.count++] =
+      rays.hit[rays.count++] =
           full ? kAll : static_cast<std::uint32_t>(below(std::size_t{1} << L::kWidth));
     }
     if (round % 2 == 0 && !full) {  // a leaf
@@ -132,7 +132,7 @@ std::size_t wrong_pairs(unsigned seed) {
           queue.add(rays, wanted, L::load(shapes));
           for (std::size_t r = 0; r < rays.count; ++r)
             for (std::size_t lane = 0; lane < L::kWidth; ++lane)
-              if ((rays.met[r] & wanted) >> lane & 1) want.emplace_back(rays.ray[r], shapes[lane]);
+              if ((rays.hit[r] & wanted) >> lane & 1) want.emplace_back(rays.ray[r], shapes[lane]);
         }
       }
     }

@@ -34,9 +34,9 @@ struct Frozen {
     const Profile profile = profile_of(ProfileName::physical);
     floats = freeze<float>(scene, profile, frame);
     hierarchy = build_hierarchy(references_to(floats->scene), kind_starts_of(floats->scene));
-    finish(*floats, hierarchy);
+    reorder_by_leaf(*floats, hierarchy);
     doubles = freeze<double>(scene, profile, frame);
-    finish(*doubles, {});
+    reorder_by_leaf(*doubles, {});
   }
 };
 
