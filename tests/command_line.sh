@@ -15,7 +15,21 @@ expect 0 "in use: portable" env ZRAKA_ISA=portable "$zraka" --version
 
 # Wrong usage.
 expect 2 "A subcommand is required" "$zraka"
-expect 2 "'rendr' is no command: there are render, stages, explain, influence, generate, info, compare" "$zraka" rendr "$scene"
+expect 2 "'rendr' is no command: did you mean render?" "$zraka" rendr "$scene"
+expect 2 "'xyzzy' is no command: there are render, stages, explain" "$zraka" xyzzy "$scene"
+expect 2 "'lettr' is no command of 'zraka generate': did you mean letter?" "$zraka" generate lettr
+expect 2 "'zraka render' has no option --widht: did you mean --width?" "$zraka" render "$scene" --widht 200
+expect 2 "Run 'zraka render --help' for more information." "$zraka" render "$scene" --widht 200 -o "$folder/a.png"
+expect 2 "'zraka render' takes no further argument: what is 'b'?" "$zraka" render a b -o "$folder/a.png"
+"$zraka" render --help >"$folder/help" && "$zraka" help render | cmp -s - "$folder/help" || fail "help render is not render --help"
+expect 0 "Usage: zraka generate letter" "$zraka" help generate letter
+expect 2 "'no' is no command" "$zraka" help no
+expect 1 "standard output: error: cannot be written" bash -c "'$zraka' --help >/dev/full"
+for command in grade report influence quiz; do
+  expect 2 "has no option --mistake" "$zraka" "$command" "$scene" "$scene" --mistake no-power
+done
+expect 2 "is not the name of a PNG" "$zraka" render "$scene" -o p.pfm
+expect 2 "'flake.png' is not the name of an NFF file" "$zraka" generate sphereflake -o flake.png
 expect 1 "standard output: error: cannot be written" bash -c "'$zraka' info $scene >/dev/full"
 expect 2 "--frobnicate" "$zraka" render "$scene" -o "$folder/a.png" --frobnicate
 expect 2 "--output is required" "$zraka" render "$scene"

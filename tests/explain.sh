@@ -8,13 +8,13 @@ scene=scenes/lab/input.txt
 expect 0 "Examples:" "$zraka" explain --help
 for bad in -1 a 1.5 "" " 3" 3x; do
   exactly 2 "X: '$bad' is not a whole number, 0 or more
-Run with --help for more information." "$zraka" explain $scene "$bad" 5
+Run 'zraka explain --help' for more information." "$zraka" explain $scene "$bad" 5
   exactly 2 "Y: '$bad' is not a whole number, 0 or more
-Run with --help for more information." "$zraka" explain $scene 5 "$bad"
+Run 'zraka explain --help' for more information." "$zraka" explain $scene 5 "$bad"
 done
 expect 2 "Y is required" "$zraka" explain $scene 5
 expect 2 "--lang: 'de' is not en or hr" "$zraka" explain $scene 5 5 --lang de
-expect 2 "--format: pdf not in" "$zraka" explain $scene 5 5 --format pdf
+expect 2 "--format: 'pdf' is not text, json or html" "$zraka" explain $scene 5 5 --format pdf
 expect 2 "'8' is not a stage" "$zraka" explain $scene 5 5 --stage 8
 
 # Bad input.

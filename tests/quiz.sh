@@ -4,7 +4,7 @@
 . "$(dirname "$0")/helpers.sh"
 scene=$PWD/scenes/lab/input.txt
 more="
-Run with --help for more information."
+Run 'zraka quiz --help' for more information."
 cd "$folder" || exit 1
 small="--width 32"
 
@@ -13,8 +13,8 @@ small="--width 32"
 "$zraka" quiz --help | grep -q -- "--mistake" && fail "--mistake is offered"
 exactly 2 "SCENE is required$more" "$zraka" quiz
 exactly 2 "--kind: 'shape' is not stage, mistake or color$more" "$zraka" quiz "$scene" --kind shape
-exactly 2 "--questions: Value 0 not in range 1 to 100$more" "$zraka" quiz "$scene" --questions 0
-exactly 2 "--format: pdf not in {html,json,text}$more" "$zraka" quiz "$scene" --format pdf
+exactly 2 "--questions: '0' is not a number from 1 to 100$more" "$zraka" quiz "$scene" --questions 0
+exactly 2 "--format: 'pdf' is not html, json or text$more" "$zraka" quiz "$scene" --format pdf
 exactly 2 "--lang: 'de' is not en or hr$more" "$zraka" quiz "$scene" --lang de
 exactly 2 "--pictures goes with --format json or text: a page has its pictures in it$more" "$zraka" quiz "$scene" --pictures p
 exactly 2 "--format text needs --pictures FOLDER for what is asked about pictures, or --kind color$more" "$zraka" quiz "$scene" --format text

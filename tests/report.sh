@@ -7,11 +7,11 @@ scene=scenes/lab/input.txt
 # Wrong usage, bad input.
 "$zraka" report --help | grep -q "Examples:" || fail "no examples"
 exactly 2 "--output is required
-Run with --help for more information." "$zraka" report $scene
+Run 'zraka report --help' for more information." "$zraka" report $scene
 exactly 2 "--lang: 'de' is not en or hr
-Run with --help for more information." "$zraka" report $scene -o "$folder/x" --lang de
-exactly 2 "--zip requires --author
-Run with --help for more information." "$zraka" report $scene -o "$folder/x" --zip
+Run 'zraka report --help' for more information." "$zraka" report $scene -o "$folder/x" --lang de
+exactly 2 "--zip needs --author
+Run 'zraka report --help' for more information." "$zraka" report $scene -o "$folder/x" --zip
 exactly 1 "error: '12/..' has no letter for the archive's name
   --author takes a name in Latin letters, as in --author 'Ana Šarić'" "$zraka" report $scene -o "$folder/x" --author 12/.. --zip
 exactly 1 "$folder/nowhere.txt: error: cannot be read: No such file or directory
