@@ -127,6 +127,7 @@ RenderOptions RenderArguments::options(const Scene& loaded) const {
   options.profile = profile_of(profile_name(loaded));
   options.max_depth = max_depth;
   options.threads = threads;
+  options.bind_threads = true;
   options.tile = tile;
   options.isa = isa_named(isa);
   return options;

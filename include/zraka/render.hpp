@@ -65,8 +65,11 @@ std::vector<Isa> available_isas();
 struct RenderOptions {
   Terms terms{};
   Profile profile = profile_of(ProfileName::physical);
-  int max_depth = 4;         ///< levels of rays after the first: 0…kMaxDepth
-  int threads = 0;           ///< 0: as many as the machine has
+  int max_depth = 4;  ///< levels of rays after the first: 0…kMaxDepth
+  int threads = 0;    ///< 0: as many as the machine has
+  /// May each thread, the caller's too, be bound to a processor while it works? Faster in a program
+  /// that does nothing else meanwhile.
+  bool bind_threads = false;
   int tile = 0;              ///< side of a tile in pixels, 1…kMaxTile; 0: chosen
   std::optional<Isa> isa{};  ///< none: ZRAKA_ISA from the environment, else the fastest
   /// Set from any thread, it ends the render early; the result is then a failure.

@@ -41,7 +41,7 @@ std::optional<std::vector<std::unique_ptr<Listener>>> listen_to_tiles(const Reso
                             static_cast<std::size_t>(threads));
   tbb::enumerable_thread_specific<std::unique_ptr<Listener>> of_threads(
       [&] { return make(side * side); });
-  if (!each_tile(size.width, size.height, tile, threads, options.cancel,
+  if (!each_tile(size.width, size.height, tile, threads, options.bind_threads, options.cancel,
                  [&](const TileRect& rect) { read(*of_threads.local(), rect); }))
     return std::nullopt;
   std::vector<std::unique_ptr<Listener>> listeners;

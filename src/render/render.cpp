@@ -107,8 +107,8 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
       options.progress(pixels, std::uint64_t{image.width} * image.height, rays);
     }
   };
-  const bool complete =
-      each_tile(image.width, image.height, tile, threads, options.cancel, render_tile);
+  const bool complete = each_tile(image.width, image.height, tile, threads, options.bind_threads,
+                                  options.cancel, render_tile);
   for (const Worker<R>& worker : workers) add(rendering.stats.rays, worker.counts);
   return complete;
 }
@@ -118,7 +118,7 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
                        int tile, int threads, int variation, Rendering& rendering) {
   const auto start = std::chrono::steady_clock::now();
   const Resolution resolution = scene.resolution;
-  if (scene.shape_count() >= kManyShapes) spread_workers(threads);
+  if (options.bind_threads && scene.shape_count() >= kManyShapes) spread_workers(threads);
   const PreparedScene<R> prepared = prepare<R>(std::forward<SceneRef>(scene), options.profile);
   rendering.stats.build_seconds = seconds_since(start);
   rendering.stats.scene_bytes = prepared.store->bytes();

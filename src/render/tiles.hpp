@@ -32,7 +32,7 @@ inline int chosen_tile(std::uint32_t width, std::uint32_t height, int threads) {
 /// set on the way.
 template <class Work>
 bool each_tile(std::uint32_t picture_width, std::uint32_t picture_height, int tile, int threads,
-               const std::atomic<bool>* cancel, const Work& work) {
+               bool bind_threads, const std::atomic<bool>* cancel, const Work& work) {
   const auto width = static_cast<std::int32_t>(picture_width);
   const auto height = static_cast<std::int32_t>(picture_height);
   const std::int32_t columns = (width + tile - 1) / tile;
@@ -53,8 +53,9 @@ bool each_tile(std::uint32_t picture_width, std::uint32_t picture_height, int ti
   tbb::task_arena arena(threads);
   to_workers.give();
   arena.execute([&] {
-    if (threads > 1 && static_cast<std::uint64_t>(columns * rows) >=
-                           kTilesPerThread * static_cast<std::uint64_t>(threads))
+    if (bind_threads && threads > 1 &&
+        static_cast<std::uint64_t>(columns * rows) >=
+            kTilesPerThread * static_cast<std::uint64_t>(threads))
       spread_workers(threads);
     tbb::parallel_for(
         tbb::blocked_range<std::int32_t>(0, columns * rows),
