@@ -81,6 +81,28 @@ done
 "$programs/count_rays" "$folder/glass.nff" --nearest 0.2 --outward-normals | diff -q - "$folder/counts" >/dev/null &&
   fail "other rules, same counts"
 
+# Embree's rival draws the same picture with each instruction set that Embree offers here.
+if [ -x "$programs/embree_rival" ]; then
+  isas=$("$programs/embree_rival" --list-isas)
+  [ -n "$isas" ] || fail "Embree offers no instruction set"
+  for isa in $isas; do
+    for scene in rings lattice sphereflake terrain glass; do
+      "$programs/embree_rival" "$folder/$scene.nff" --isa "$isa" -o "$folder/rival.png" >"$folder/rival" &&
+        "$programs/compare_pictures" "$folder/$scene.png" "$folder/rival.png" >"$folder/difference" ||
+        fail "the Embree rival with $isa and $scene"
+      python3 - "$isa" "$folder/rival" "$folder/difference" <<'END' || fail "Embree's picture of $scene with $isa: see above"
+import json, sys
+packet = json.load(open(sys.argv[2]))["packet"]
+different = json.load(open(sys.argv[3]))["different"]
+assert packet == {"sse2": 4, "sse4.2": 4, "avx": 8, "avx2": 8, "avx512": 16}[sys.argv[1]], f"{packet} rays in a packet"
+assert different <= 0.01, f"{100 * different:.1f} % of the pixels differ"
+END
+    done
+  done
+else
+  echo "without the Embree rival: it was not built (package libembree-dev)"
+fi
+
 # What it says when something is wrong.
 expect() {
   local text=$1

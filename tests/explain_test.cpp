@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "explain/json.hpp"
+#include "fold.hpp"
 #include "scenes.hpp"
 
 namespace zraka {
@@ -45,51 +46,6 @@ std::vector<SceneToExplain> scenes_to_explain() {
   return scenes;
 }
 
-// The fold of docs/explain.md, from nothing but the JSON, each operation in binary32.
-
-Float3 colour(const json& c) {
-  return {c[0].get<float>(), c[1].get<float>(), c[2].get<float>()};
-}
-Float3 plus(Float3 sum, const Float3& more) {
-  for (std::size_t c = 0; c < 3; ++c) sum[c] = sum[c] + more[c];
-  return sum;
-}
-
-struct Folder {
-  const json& explanation;
-
-  Float3 fold(const json& ray) const {
-    if (ray["kind"] == "mean") {
-      const Float3 a = fold(ray["corners"][0]), b = fold(ray["corners"][1]),
-                   c = fold(ray["corners"][2]), d = fold(ray["corners"][3]);
-      Float3 mean;
-      for (std::size_t i = 0; i < 3; ++i) mean[i] = ((a[i] + b[i]) + (c[i] + d[i])) * 0.25f;
-      return mean;
-    }
-    if (ray["hit"].is_null()) return colour(explanation["background"]);
-    const json& hit = ray["hit"];
-    Float3 color = colour(hit["ambient"]);
-    for (const json& light : hit["lights"])
-      for (const char* term : {"diffuse", "specular"})
-        if (!light[term].is_null()) color = plus(color, colour(light[term]));
-    EXPECT_EQ(color, colour(hit["local"]));
-    for (const char* which : {"reflected", "refracted"}) {
-      if (hit[which]["ray"].is_null()) continue;
-      const Float3 child = fold(hit[which]["ray"]);
-      const auto share = hit[which]["share"].get<float>();
-      for (std::size_t c = 0; c < 3; ++c) color[c] = color[c] + child[c] * share;
-    }
-    EXPECT_EQ(color, colour(hit["sum"]));
-    if (explanation["clamp_levels"].get<bool>())
-      for (float& c : color) {
-        c = c > 0 ? c : 0.0f;
-        c = c < 1 ? c : 1.0f;
-      }
-    EXPECT_EQ(color, colour(ray["color"]));
-    return color;
-  }
-};
-
 bool same_bits(const Float3& a, const float* b) {
   for (std::size_t c = 0; c < 3; ++c)
     if (std::bit_cast<std::uint32_t>(a[c]) != std::bit_cast<std::uint32_t>(b[c])) return false;
@@ -108,11 +64,10 @@ TEST(Explain, FoldsToThePicturesBits) {
         const auto y = static_cast<std::uint32_t>(random() % image.height);
         const Explanation explanation = explainer.pixel(x, y).value();
         const json read = json::parse(to_json(explanation, "scene", "profile", "words"));
-        const Float3 folded = Folder{read}.fold(read["tree"]);
-        ASSERT_TRUE(same_bits(folded, image.row(y) + 3 * x))
+        ASSERT_TRUE(same_bits(Fold{read}.color(), image.row(y) + 3 * x))
             << named.name << " (" << x << ", " << y << "), " << name_of(profile);
         ASSERT_TRUE(same_bits(explanation.color, image.row(y) + 3 * x));
-        ASSERT_EQ(colour(read["color"]), explanation.color);
+        ASSERT_EQ(color_from(read["color"]), explanation.color);
       }
     }
 }
@@ -125,7 +80,7 @@ TEST(Explain, FoldsAtEveryStage) {
     Explainer explainer = Explainer::create(scene, options).value();
     for (std::uint32_t i = 0; i < 60; ++i) {
       const json read = json::parse(to_json(explainer.pixel(i, i).value(), "", "", ""));
-      ASSERT_TRUE(same_bits(Folder{read}.fold(read["tree"]), image.row(i) + 3 * i)) << stage;
+      ASSERT_TRUE(same_bits(Fold{read}.color(), image.row(i) + 3 * i)) << stage;
     }
   }
 }

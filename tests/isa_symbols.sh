@@ -7,10 +7,10 @@ library=$1
 status=0
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-for object in kernel.cpp.o:3 record_kernel.cpp.o:1; do
-  least=${object#*:} object=${object%:*}
+for object in kernel.cpp.o:4 record_kernel.cpp.o:1; do
+  wanted=${object#*:} object=${object%:*}
   members=$(ar t "$library" | grep -c "^$object\$")
-  [ "$members" -ge "$least" ] || { echo "only $members $object in $library"; status=1; }
+  [ "$members" = "$wanted" ] || { echo "$members $object in $library: expected $wanted"; status=1; }
   for ((i = 1; i <= members; i++)); do
     (cd "$folder" && ar xN "$i" "$library" "$object")
     symbols=$(nm -C --defined-only "$folder/$object" | cut -c20-)

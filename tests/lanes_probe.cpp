@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "accel/traverse.hpp"
+#include "engine/hits.hpp"
 #include "math/power.hpp"
 #include "shapes/shapes.hpp"
 
@@ -167,23 +168,26 @@ bool stack_fits() {
   return d;
 }
 
+/// The rays from `first` on, those past `count` zeros.
+RayLanes<L> load_rays(const ProbeRay* rays, std::size_t first, std::size_t count) {
+  L::Real o[3][L::kWidth] = {}, d[3][L::kWidth] = {}, limit[L::kWidth] = {};
+  for (std::size_t i = 0; i < L::kWidth && first + i < count; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      o[k][i] = static_cast<L::Real>(rays[first + i].origin[k]);
+      d[k][i] = static_cast<L::Real>(rays[first + i].direction[k]);
+    }
+    limit[i] = static_cast<L::Real>(rays[first + i].limit);
+  }
+  return {{L::load(o[0]), L::load(o[1]), L::load(o[2])},
+          {L::load(d[0]), L::load(d[1]), L::load(d[2])},
+          L::load(limit),
+          L::I(-1)};
+}
+
 void trace(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
            const ProbeRay* rays, ProbeHit* hits, std::size_t count) {
   const FrozenScene<L::Real>* scene = own(floats, doubles, L::Real());
-  const auto load = [&](std::size_t first) {
-    L::Real o[3][L::kWidth] = {}, d[3][L::kWidth] = {}, limit[L::kWidth] = {};
-    for (std::size_t i = 0; i < L::kWidth && first + i < count; ++i) {
-      for (int k = 0; k < 3; ++k) {
-        o[k][i] = static_cast<L::Real>(rays[first + i].origin[k]);
-        d[k][i] = static_cast<L::Real>(rays[first + i].direction[k]);
-      }
-      limit[i] = static_cast<L::Real>(rays[first + i].limit);
-    }
-    return RayLanes<L>{{L::load(o[0]), L::load(o[1]), L::load(o[2])},
-                       {L::load(d[0]), L::load(d[1]), L::load(d[2])},
-                       L::load(limit),
-                       L::I(-1)};
-  };
+  const auto load = [&](std::size_t first) { return load_rays(rays, first, count); };
   for (std::size_t first = 0; first < count; first += RayGroup<L>::kRays) {
     RayGroup<L> shadow_rays(first, count, load), group(first, count, load);
     LastBlocker last;
@@ -201,11 +205,53 @@ void trace(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
   }
 }
 
+void surfaces(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
+              const ProbeRay* rays, ProbeSurface* out, std::size_t count) {
+  const FrozenScene<L::Real>& scene = *own(floats, doubles, L::Real());
+  const auto each = [&](std::size_t first, const F& value, const auto& take) {
+    L::Real lanes[L::kWidth];
+    L::store(value, lanes);
+    for (std::size_t i = 0; i < L::kWidth && first + i < count; ++i)
+      take(out[first + i], static_cast<double>(lanes[i]));
+  };
+  const auto store = [&](std::size_t first, const V3<F>& v, double(ProbeSurface::*to)[3]) {
+    each(first, v.x, [&](ProbeSurface& s, double x) { (s.*to)[0] = x; });
+    each(first, v.y, [&](ProbeSurface& s, double y) { (s.*to)[1] = y; });
+    each(first, v.z, [&](ProbeSurface& s, double z) { (s.*to)[2] = z; });
+  };
+  const auto load = [&](std::size_t first) { return load_rays(rays, first, count); };
+  for (std::size_t begin = 0; begin < count; begin += RayGroup<L>::kRays) {
+    RayGroup<L> group(begin, count, load);
+    find_nearest<L>(scene, group);
+    for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+      const std::size_t first = begin + r * L::kWidth;
+      const RayLanes<L>& ray = group.ray[r];
+      const V3<F> point = ray.origin + ray.direction * ray.t;
+      SurfacePoint<L> surface{point, point, F(0), L::first(0)};
+      L::I material(0);
+#define ZRAKA_SURFACE(Type, plural) \
+  surface_of<L>(scene.plural, ray.slot, ray.origin, ray.direction, point, surface, material);
+      ZRAKA_KINDS(ZRAKA_SURFACE)
+#undef ZRAKA_SURFACE
+      std::int32_t slot[L::kWidth];
+      L::store(ray.slot, slot);
+      for (std::size_t i = 0; i < L::kWidth && first + i < count; ++i)
+        out[first + i].id = slot[i] < 0 ? -1 : id_of(scene, slot[i]);
+      store(first, surface.point, &ProbeSurface::point);
+      store(first, surface.normal, &ProbeSurface::normal);
+      each(first, ray.t, [](ProbeSurface& s, double t) { s.t = t; });
+      each(first, surface.offset, [](ProbeSurface& s, double offset) { s.offset = offset; });
+      each(first, select(surface.inside, F(1), F(0)),
+           [](ProbeSurface& s, double inside) { s.inside = inside > 0; });
+    }
+  }
+}
+
 }  // namespace
 
 LanesProbe probe();
 LanesProbe probe() {
-  return {{}, L::kWidth, power_of, sphere, gather_four, wrong_pairs, stack_fits, trace};
+  return {{}, L::kWidth, power_of, sphere, gather_four, wrong_pairs, stack_fits, trace, surfaces};
 }
 
 }  // namespace zraka::ZRAKA_ISA

@@ -19,6 +19,14 @@ struct ProbeHit {
   std::int32_t id;  // place in the scene as it was read, over all kinds; -1: nothing
   bool blocked;     // what a shadow ray says
 };
+/// What a ray meets, in the engine's frame.
+struct ProbeSurface {
+  double t;         // the limit where nothing is met; then nothing below is set but the id
+  std::int32_t id;  // as above
+  double point[3], normal[3];
+  double offset;
+  bool inside;
+};
 
 struct LanesProbe {
   Isa isa;
@@ -40,6 +48,9 @@ struct LanesProbe {
   /// for the oracle.
   void (*trace)(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
                 const ProbeRay* rays, ProbeHit* hits, std::size_t count);
+  /// The same rays' surfaces.
+  void (*surfaces)(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
+                   const ProbeRay* rays, ProbeSurface* surfaces, std::size_t count);
 };
 
 /// Those that this machine can run; the oracle last.

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "course_scenes.hpp"
 #include "explain/json.hpp"
+#include "fold.hpp"
 #include "image/alter.hpp"
 #include "language.hpp"
 #include "school/grade/words.hpp"
@@ -14,8 +16,18 @@ namespace zraka {
 namespace {
 
 TEST(Mistakes, AreNamedInBothLanguages) {
-  EXPECT_GE(all_mistakes().size(), 24u);
+#define ZRAKA_MISTAKE(...) +1
+  constexpr std::size_t kMistakes = 0
+#include <zraka/school/mistakes.def>
+      ;
+#undef ZRAKA_MISTAKE
+  ASSERT_EQ(all_mistakes().size(), kMistakes);
+  std::set<std::string_view> words;
   for (const MistakeEntry& entry : all_mistakes()) {
+    for (const std::string_view word : {entry.key, entry.english, entry.croatian}) {
+      EXPECT_FALSE(word.empty()) << entry.key;
+      EXPECT_TRUE(words.insert(word).second) << "twice: " << word;
+    }
     EXPECT_EQ(mistake_named(entry.key), entry.mistake);
     EXPECT_EQ(&entry_of(entry.mistake), &entry);
     EXPECT_EQ(english_words_in(entry.croatian), "") << entry.croatian;
@@ -60,36 +72,6 @@ TEST(Mistakes, ShowFromTheirStageOn) {
   }
 }
 
-Float3 folded(const nlohmann::json& ray, const nlohmann::json& all, Mistake mistake) {
-  const auto three = [](const nlohmann::json& v) {
-    return Float3{v[0].get<float>(), v[1].get<float>(), v[2].get<float>()};
-  };
-  if (ray["hit"].is_null()) return three(all["background"]);
-  const nlohmann::json& hit = ray["hit"];
-  Float3 color = three(hit["ambient"]);
-  const auto add = [&](const Float3& more) {
-    for (std::size_t c = 0; c < 3; ++c) color[c] += more[c];
-  };
-  for (const nlohmann::json& light : hit["lights"]) {
-    if (mistake == Mistake::shadow_takes_ambient && light["reach"] == "blocked") color = {};
-    if (!light["diffuse"].is_null()) add(three(light["diffuse"]));
-    if (!light["specular"].is_null()) add(three(light["specular"]));
-  }
-  if (mistake == Mistake::total_white && !hit["snell"].is_null() && hit["snell"]["total"])
-    for (float& c : color) c += hit["material"]["k2"].get<float>();
-  const auto clamp = [&] {
-    for (float& c : color) c = std::min(std::max(c, 0.0F), 1.0F);
-  };
-  for (const char* child : {"reflected", "refracted"})
-    if (!hit[child]["ray"].is_null()) {
-      Float3 more = folded(hit[child]["ray"], all, mistake);
-      for (float& c : more) c *= hit[child]["share"].get<float>();
-      add(more);
-    }
-  if (all["clamp_levels"].get<bool>()) clamp();
-  return color;
-}
-
 TEST(Mistakes, AreExplainedToTheBit) {
   const Scene scenes[] = {course_scene(), second_scene(), third_scene()};
   std::uint32_t at = 7;
@@ -106,7 +88,7 @@ TEST(Mistakes, AreExplainedToTheBit) {
         const float* pixel = image.row(y) + 3 * x;
         const nlohmann::json json = nlohmann::json::parse(to_json(*e, "", "", ""));
         Image one(1, 1);
-        const Float3 color = folded(json["tree"], json, entry.mistake);
+        const Float3 color = Fold{json, entry.mistake}.color();
         std::copy(color.begin(), color.end(), one.pixels.begin());
         if (entry.mistake == Mistake::red_and_blue) std::swap(one.pixels[0], one.pixels[2]);
         for (std::size_t c = 0; c < 3; ++c) {

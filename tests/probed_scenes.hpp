@@ -72,16 +72,19 @@ inline std::vector<ProbeRay> random_rays(std::size_t count, unsigned seed) {
   return rays;
 }
 
+/// ZRAKA_TEST_RAYS=1000000 in the environment asks for more rays than a test has time for.
+inline std::size_t ray_count(std::size_t usual) {
+  const char* more = std::getenv("ZRAKA_TEST_RAYS");
+  return more == nullptr
+             ? usual
+             : std::max(usual, static_cast<std::size_t>(std::strtoull(more, nullptr, 10)));
+}
+
 /// Compares all instruction sets with each other, bit by bit, and with the oracle but for rays that
-/// graze.
-/// ZRAKA_TEST_RAYS=1000000 in the environment asks for more rays than a test has time for; a
-/// hundredth of them will do for large scenes.
+/// graze. Of more rays than usual a hundredth will do for large scenes.
 inline void expect_oracle_hits(const Scene& scene, std::size_t count, double share) {
-  if (const char* more = std::getenv("ZRAKA_TEST_RAYS")) {
-    const auto rays = static_cast<std::size_t>(std::strtoull(more, nullptr, 10));
-    count =
-        std::max(count, scene.spheres.size() + scene.triangles.size() > 50000 ? rays / 100 : rays);
-  }
+  const bool large = scene.spheres.size() + scene.triangles.size() > 50000;
+  count = large ? std::max(count, ray_count(count) / 100) : ray_count(count);
   const Frozen frozen(scene);
   const std::vector<ProbeRay> rays = random_rays(count, 5);
   const auto probes = lanes_probes();

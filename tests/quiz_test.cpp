@@ -164,14 +164,15 @@ TEST(Quiz, HasNoTwoNamesForOnePicture) {
 }
 
 TEST(Quiz, AsksForThePicturesOwnColour) {
+  std::set<std::string> slips;
   for (const ProfileName profile : {ProfileName::lab, ProfileName::physical}) {
-    const Scene scene = course_scene();
+    Scene scene = course_scene();
+    scene.lights[0].color = {2, 2, 2};  // for sums above 1
     const RenderOptions options = with_profile(profile);
     const Image right = stored(scene, options);
     const Quiz quiz =
-        make_quiz(scene, options, {.seed = 6, .questions = 24, .kinds = {QuizKind::color}}).value();
-    EXPECT_EQ(quiz.questions.size(), 24u);
-    std::set<std::string> slips;
+        make_quiz(scene, options, {.seed = 6, .questions = 72, .kinds = {QuizKind::color}}).value();
+    EXPECT_EQ(quiz.questions.size(), 72u);
     for (const QuizQuestion& question : quiz.questions) {
       const Bytes color = question.choices[question.answer].color;
       EXPECT_EQ(color, pixel_of(right, question.x, question.y));
@@ -188,8 +189,11 @@ TEST(Quiz, AsksForThePicturesOwnColour) {
       const Image shown = parse_image(quiz.pictures[question.pictures[0].picture].png, "")->image;
       EXPECT_EQ(pixel_of(shown, question.x, question.y), (Bytes{255, 38, 26}));
     }
-    EXPECT_GE(slips.size(), 10u);
   }
+  for (auto slip = static_cast<std::size_t>(Word::slip_no_ambient);
+       slip <= static_cast<std::size_t>(Word::slip_no_curve); ++slip)
+    EXPECT_TRUE(slips.contains(say(Language::english, static_cast<Word>(slip))))
+        << name_of(static_cast<Word>(slip));
 }
 
 TEST(Quiz, TellsWhatTheColourFollowsFrom) {
@@ -309,6 +313,7 @@ TEST(Quiz, CountsOnSilhouettesAndOnAmbientLight) {
     RenderOptions options = kLab;
     options.terms = terms_of(stage);
     const Quiz quiz = make_quiz(course_scene(), options, {.questions = 30}).value();
+    EXPECT_FALSE(quiz.questions.empty());
     for (const QuizQuestion& question : quiz.questions)
       EXPECT_NE(question.kind, QuizKind::stage);  // one term alone is no choice
   }
@@ -317,6 +322,7 @@ TEST(Quiz, CountsOnSilhouettesAndOnAmbientLight) {
 TEST(Quiz, IsInCroatianThroughout) {
   const Quiz quiz =
       make_quiz(course_scene(), kLab, {.seed = 2, .questions = 24, .language = "hr"}).value();
+  EXPECT_EQ(quiz.questions.size(), 24u);
   for (const QuizQuestion& question : quiz.questions) {
     std::string words = question.text + " " + question.sums;
     for (const std::string& reason : question.reason) words += " " + reason;

@@ -9,6 +9,7 @@
 #include <tbb/task_arena.h>
 
 #include <atomic>
+#include <chrono>
 #include <thread>
 
 namespace zraka {
@@ -19,6 +20,22 @@ cpu_set_t processors() {
   CPU_ZERO(&set);
   EXPECT_EQ(sched_getaffinity(0, sizeof(set), &set), 0);
   return set;
+}
+
+/// How many come, where only a broken function would not wait long enough for them.
+int workers_that_come(int threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  return tbb::task_arena(threads).execute(
+      [&] { return spread_workers(threads, std::chrono::minutes(1)); });
+}
+
+TEST(SpreadWorkers, BringsAWorkerForEachProcessor) {
+  const cpu_set_t set = processors();
+  const int all = CPU_COUNT(&set);
+  EXPECT_EQ(workers_that_come(1), 0);
+  EXPECT_EQ(workers_that_come(all), all - 1);
+  EXPECT_EQ(workers_that_come(all + 1), 0) << "they would only wait for each other";
 }
 
 TEST(SpreadWorkers, LeavesEveryThreadAsFreeAsItWas) {

@@ -58,24 +58,23 @@ struct AtEnd {
 
 }  // namespace
 
-void spread_workers(int threads) {
-  constexpr std::chrono::microseconds kPatience(300);
+int spread_workers(int threads, std::chrono::microseconds patience) {
   const int workers = threads - 1;
-  if (workers < 1) return;
+  if (workers < 1) return 0;
   // oneTBB counts the processors once, and must not do so while this thread is bound to one.
   (void)tbb::info::default_concurrency();
   Processors mine;
-  if (threads > mine.count()) return;  // they would only wait for each other
+  if (threads > mine.count()) return 0;  // they would only wait for each other
   const int here = ::sched_getcpu();
   const bool one_each = here >= 0 && mine.count() == threads;
   // Else a thread that wakes goes to where the one that woke it is; so until all tasks have ended.
   if (one_each) mine.move_to(here);
 
   // Isolated, for a thread that is bound must not begin with other work of its arena.
+  std::atomic<int> come = 0;
   tbb::this_task_arena::isolate([&] {
     std::mutex mutex;
     std::condition_variable changed;
-    std::atomic<int> come = 0;
     std::atomic<bool> over = false;
     tbb::task_group group;
     {
@@ -93,10 +92,11 @@ void spread_workers(int threads) {
           while (!over && come < workers) std::this_thread::yield();
         });
       std::unique_lock<std::mutex> lock(mutex);
-      changed.wait_for(lock, kPatience, [&] { return come == workers; });
+      changed.wait_for(lock, patience, [&] { return come == workers; });
     }
     group.wait();
   });
+  return come;
 }
 
 }  // namespace zraka

@@ -26,7 +26,7 @@ using embree::Tracer;
 using embree::World;
 
 struct Words {
-  std::string scene, output;
+  std::string scene, output, isa;
   Mode mode = Mode::packets;
   embree::Spheres spheres = embree::Spheres::callbacks;
   int threads = 0, max_depth = 4, repeats = 1;
@@ -98,7 +98,7 @@ int run(const Words& words) {
                                   static_cast<std::size_t>(threads));
   start = std::chrono::steady_clock::now();
   const std::uint64_t shapes = scene.shape_count();
-  const World world(std::move(scene), words.spheres);
+  const World world(std::move(scene), words.spheres, words.isa);
   if (world.device == nullptr) return fail(failure("", "Embree cannot start").value());
   const double build = since(start);
 
@@ -125,6 +125,7 @@ int run(const Words& words) {
       {"shapes", shapes},
       {"bytes", {{"scene", world.scene_bytes()}, {"accel", world.embree_bytes()}}},
       {"embree", embree_version(world.device)},
+      {"packet", world.packet()},
       {"threads", threads}};
   fmt::print("{}\n", json.dump(2));
   return 0;
@@ -143,6 +144,17 @@ int main(int argc, char** argv) {
   app.add_option("--spheres", spheres,
                  "how spheres are: callbacks (faster rays) or Embree's own points (smaller)")
       ->check(CLI::IsMember({"callbacks", "points"}));
+  std::vector<std::string> isas;
+  for (const embree::Isa& isa : embree::offered_isas()) isas.push_back(isa.name);
+  app.add_option("--isa", words.isa, "Embree's instruction set; its best unless told")
+      ->check(CLI::IsMember(isas));
+  app.add_flag_callback(
+      "--list-isas",
+      [&] {
+        for (const std::string& isa : isas) fmt::print("{}\n", isa);
+        throw CLI::Success();
+      },
+      "print the instruction sets that Embree offers here");
   app.add_option("--width", words.width, "width of the picture, in pixels")
       ->check(CLI::Range(1u, 16384u));
   app.add_option("--threads", words.threads, "how many threads; 0 is all that there are")

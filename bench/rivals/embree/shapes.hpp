@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes that Embree asks us about, for one ray or sixteen at a time: F is float or Float16.
+// Shapes that Embree asks us about, for one ray or a packet: F is float or a vector of them.
 #pragma once
 
 #include <cmath>
@@ -12,14 +12,9 @@ namespace zraka::embree {
 
 inline constexpr float kNever = std::numeric_limits<float>::infinity();
 
-inline float choose(bool condition, float a, float b) {
+template <class Mask, class F>
+inline F choose(Mask condition, F a, F b) {
   return condition ? a : b;
-}
-inline Float16 choose(Int16 condition, Float16 a, Float16 b) {
-  return condition ? a : b;
-}
-inline float sqrt(float v) {
-  return std::sqrt(v);
 }
 template <class F>
 inline Three<F> spread(Vec v) {

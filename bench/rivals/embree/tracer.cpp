@@ -33,11 +33,14 @@ struct Materials {
   }
 };
 
+/// Lanes that are not wanted end before they begin: where Embree cuts packets up it goes by that,
+/// and not by the mask that it was given.
 template <class Ray>
-void put_ray(Ray& ray, Three<Float16> origin, Three<Float16> direction, Float16 far) {
+void put_ray(Ray& ray, Int16 wanted, Three<Float16> origin, Three<Float16> direction, Float16 far) {
   store(origin.x, ray.org_x), store(origin.y, ray.org_y), store(origin.z, ray.org_z);
   store(direction.x, ray.dir_x), store(direction.y, ray.dir_y), store(direction.z, ray.dir_z);
-  store(Float16{}, ray.tnear), store(far, ray.tfar), store(Float16{}, ray.time);
+  store(Float16{}, ray.tnear), store(choose(wanted, far, all(-1.0f)), ray.tfar);
+  store(Float16{}, ray.time);
   store(all(-1), ray.mask), store(Int16{}, ray.flags), store(Int16{}, ray.id);
 }
 
@@ -139,7 +142,7 @@ void Tracer::find_nearest(Packet& packet, int level) const {
   const Going going = level == 0 ? Going::together : going_of(packet.direction, packet.lanes);
   const Int16 wanted = numbers_from(0) < __builtin_popcount(packet.lanes);
   alignas(64) RTCRayHit16 rays;
-  put_ray(rays.ray, packet.origin, packet.direction, all(kFar));
+  put_ray(rays.ray, wanted, packet.origin, packet.direction, all(kFar));
   store(all(-1), rays.hit.geomID);
   if (mode_ == Mode::packets) {
     alignas(64) int valid[kWide];
@@ -223,7 +226,7 @@ Int16 Tracer::find_lit(const Packet& packet, Int16 wanted, Three<Float16> way,
                        Float16 distance) const {
   const Going going = going_of(way, bits(wanted));
   alignas(64) RTCRay16 rays;
-  put_ray(rays, packet.point + packet.normal * packet.offset, way, distance);
+  put_ray(rays, wanted, packet.point + packet.normal * packet.offset, way, distance);
   if (mode_ == Mode::packets) {
     alignas(64) int valid[kWide];
     store(wanted, valid);

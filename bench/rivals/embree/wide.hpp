@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sixteen numbers at a time, by the compiler's own vectors.
+// Sixteen numbers at a time, or as many as Embree asks about, by the compiler's own vectors.
 #pragma once
 
 #ifdef __AVX512F__
@@ -22,6 +22,13 @@ using Float16 = Float16Wide;
 /// Whole numbers, or a mask: -1 or 0.
 typedef int Int16 __attribute__((vector_size(64)));
 
+/// As many numbers as Embree has in a packet of rays: 4, 8 or 16.
+template <int N>
+struct Packed {
+  typedef float Float __attribute__((vector_size(4 * N)));
+  typedef int Int __attribute__((vector_size(4 * N)));
+};
+
 inline Float16 all(float v) {
   return v - Float16{};
 }
@@ -35,7 +42,7 @@ inline Int16 numbers_from(int first) {
 template <class V, class T>
 inline V load(const T* from) {
   V v;
-  static_assert(sizeof(T) * kWide == sizeof(V));
+  static_assert(sizeof(T) == 4);
   std::memcpy(&v, from, sizeof v);
   return v;
 }
@@ -47,7 +54,7 @@ inline Int16 load(const int* from) {
 }
 template <class V, class T>
 inline void store(V v, T* to) {
-  static_assert(sizeof(T) * kWide == sizeof(V));
+  static_assert(sizeof(T) == 4);
   std::memcpy(to, &v, sizeof v);
 }
 
@@ -60,8 +67,12 @@ inline Float16 max(Float16 a, Float16 b) {
 inline Float16 abs(Float16 a) {
   return max(a, -a);
 }
-inline Float16 sqrt(Float16 v) {
-  for (int i = 0; i < kWide; ++i) v[i] = __builtin_sqrtf(v[i]);
+inline float sqrt(float v) {
+  return __builtin_sqrtf(v);
+}
+template <class V>
+inline V sqrt(V v) {
+  for (unsigned i = 0; i < sizeof(V) / sizeof(float); ++i) v[i] = __builtin_sqrtf(v[i]);
   return v;
 }
 inline Float16 power(Float16 x, Float16 n) {
@@ -74,14 +85,15 @@ inline Float16 power(Float16 x, Float16 n) {
 }
 
 /// A bit for each lane of a mask.
-inline unsigned bits(Int16 mask) {
+template <class Mask>
+inline unsigned bits(Mask mask) {
 #ifdef __AVX512DQ__
-  return _mm512_movepi32_mask(reinterpret_cast<__m512i>(mask));
-#else
-  unsigned out = 0;
-  for (int i = 0; i < kWide; ++i) out |= mask[i] != 0 ? 1u << i : 0u;
-  return out;
+  if constexpr (sizeof(Mask) == sizeof(Int16))
+    return _mm512_movepi32_mask(reinterpret_cast<__m512i>(mask));
 #endif
+  unsigned out = 0;
+  for (unsigned i = 0; i < sizeof(Mask) / sizeof(int); ++i) out |= mask[i] != 0 ? 1u << i : 0u;
+  return out;
 }
 
 template <class Function>

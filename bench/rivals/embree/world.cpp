@@ -121,9 +121,36 @@ bool count_bytes(void* world, ssize_t more, bool) {
   return true;
 }
 
+RTCDevice device_of(const std::string& isa) {
+  return rtcNewDevice(isa.empty() ? nullptr : ("isa=" + isa).c_str());
+}
+
+/// The widest packet that a device traces without cutting it up.
+int packet_of(RTCDevice device) {
+  const auto has = [&](RTCDeviceProperty which) {
+    return rtcGetDeviceProperty(device, which) != 0;
+  };
+  return has(RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)  ? 16
+         : has(RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) ? 8
+                                                          : 4;
+}
+
 }  // namespace
 
-World::World(Scene scene, Spheres how) : device(rtcNewDevice(nullptr)), embree(nullptr) {
+std::vector<Isa> offered_isas() {
+  std::vector<Isa> offered;
+  for (const Isa& isa : {Isa{"sse2", 4}, {"sse4.2", 4}, {"avx", 8}, {"avx2", 8}, {"avx512", 16}}) {
+    const RTCDevice device = device_of(isa.name);
+    if (device == nullptr) continue;
+    // One that Embree was built without becomes a lesser one without a word.
+    if (packet_of(device) == isa.packet) offered.push_back(isa);
+    rtcReleaseDevice(device);
+  }
+  return offered;
+}
+
+World::World(Scene scene, Spheres how, const std::string& isa)
+    : device(device_of(isa)), embree(nullptr) {
   if (device == nullptr) return;
   rtcSetDeviceMemoryMonitorFunction(device, count_bytes, this);
   embree = rtcNewScene(device);
@@ -164,6 +191,10 @@ World::World(Scene scene, Spheres how) : device(rtcNewDevice(nullptr)), embree(n
 std::uint64_t World::scene_bytes() const {
   const auto size = [](const auto& v) { return v.size() * sizeof(v[0]); };
   return size(materials) + size(material_of) + size(corner_normals) + size(cones) + size(spheres);
+}
+
+int World::packet() const {
+  return packet_of(device);
 }
 
 World::~World() {

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <string>
 #include <vector>
 #include <zraka/scene.hpp>
 
@@ -35,9 +36,18 @@ struct Light {
 /// for packets, or as its own points, which is built faster and takes less memory.
 enum class Spheres { callbacks, points };
 
+/// An instruction set of Embree's, and how many rays it has in a packet.
+struct Isa {
+  const char* name;
+  int packet;
+};
+/// Those that this Embree offers on this machine, the best last.
+std::vector<Isa> offered_isas();
+
 struct World {
   /// Fails (device is null) where Embree cannot start. The scene is given up before Embree builds.
-  World(Scene scene, Spheres spheres);
+  /// The instruction set is Embree's choice where none is named.
+  World(Scene scene, Spheres spheres, const std::string& isa);
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -45,6 +55,9 @@ struct World {
   /// What shapes and materials take here, and what Embree has taken beyond that, at most.
   std::uint64_t scene_bytes() const;
   std::uint64_t embree_bytes() const { return most_bytes; }
+
+  /// How many rays Embree has in a packet: more are cut up.
+  int packet() const;
 
   RTCDevice device;
   RTCScene embree;
