@@ -307,7 +307,7 @@ ray from the eye
 │ normal N = (0, 0, 1)
 │ ambient component: Ia·ka = (0.5, 0.5, 0.5)·(0.2, 0.4, 0.6) = (0.1, 0.2, 0.3)
 │ light 1: L = (0, 0, 1), distance 8, L·N = 1
-│   the shadow_ray reaches the light
+│   the feeler reaches the light
 │   diffuse component: Ii·kd·(L·N) = (1, 1, 1)·(0.5, 0.5, 0.5)·1 = (0.5, 0.5, 0.5)
 │   specular component: Ii·ks·(R·V)ⁿ = (1, 1, 1)·(0.25, 0.25, 0.25)·1^2 = (0.25, 0.25, 0.25)
 │ local light: I = (0.85, 0.95, 1.05)

@@ -2,7 +2,7 @@
 # For the scripts beside it, whose first argument is the program: $zraka, a $folder of their own, and words for what they expect.
 # shellcheck shell=bash
 set -u
-zraka=$1
+zraka=${1-}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 failed=0
