@@ -39,8 +39,8 @@ std::string bytes_of(const Quiz& quiz) {
 }
 
 Image stored(const Scene& scene, const RenderOptions& options, Mistake mistake = Mistake::none) {
-  return as_stored(render_mistaken(scene, options, mistake).value().image,
-                   options.profile.transfer, 8);
+  return as_stored(render_mistaken(scene, options, mistake).value().image, options.profile.transfer,
+                   8);
 }
 
 Bytes pixel_of(const Image& image, std::uint32_t x, std::uint32_t y) {

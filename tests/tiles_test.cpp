@@ -25,11 +25,12 @@ TEST(Tiles, CoverEveryPixelOnce) {
     for (const int threads : {1, 2}) {
       constexpr std::uint32_t kWidth = 65, kHeight = 31;
       std::vector<std::atomic<int>> times(kWidth * kHeight);
-      EXPECT_TRUE(each_tile(kWidth, kHeight, tile, threads, nullptr, [&](const TileRect& rect) {
-        for (std::int32_t y = rect.y; y < rect.y + rect.height; ++y)
-          for (std::int32_t x = rect.x; x < rect.x + rect.width; ++x)
-            ++times.at(static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x));
-      }));
+      EXPECT_TRUE(
+          each_tile(kWidth, kHeight, tile, threads, false, nullptr, [&](const TileRect& rect) {
+            for (std::int32_t y = rect.y; y < rect.y + rect.height; ++y)
+              for (std::int32_t x = rect.x; x < rect.x + rect.width; ++x)
+                ++times.at(static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x));
+          }));
       for (const std::atomic<int>& one : times) ASSERT_EQ(one, 1) << tile << ", " << threads;
     }
 }
@@ -37,7 +38,7 @@ TEST(Tiles, CoverEveryPixelOnce) {
 TEST(Tiles, EndEarlyWhereThatIsWanted) {
   std::atomic<bool> cancel{false};
   std::atomic<int> tiles{0};
-  EXPECT_FALSE(each_tile(640, 640, 10, 2, &cancel, [&](const TileRect&) {
+  EXPECT_FALSE(each_tile(640, 640, 10, 2, false, &cancel, [&](const TileRect&) {
     if (++tiles == 5) cancel = true;
   }));
   EXPECT_LT(tiles, 8);
