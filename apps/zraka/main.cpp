@@ -11,7 +11,7 @@
 #include <zraka/zraka.hpp>
 
 #include "commands.hpp"
-#include "core/file.hpp"
+#include "core/new_file.hpp"
 #include "terminal.hpp"
 
 namespace zraka::app {

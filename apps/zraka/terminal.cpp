@@ -13,7 +13,7 @@
 #include <zraka/render.hpp>
 
 #include "commands.hpp"
-#include "core/file.hpp"
+#include "core/new_file.hpp"
 #include "progress.hpp"
 #include "render/isa.hpp"
 
