@@ -154,6 +154,25 @@ double mean_square(const Image& a, const Image& b, const Region& region) {
   return values > 0 ? sum / values : 0;
 }
 
+double spread(const Image& image, const Region& region) {
+  std::array<double, 3> sum{}, squares{};
+  for (std::uint32_t y = region.top; y < region.bottom; ++y)
+    for (std::uint32_t x = region.left; x < region.right; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double value = value_at(image, x, y, c);
+        sum[c] += value;
+        squares[c] += value * value;
+      }
+  const double pixels =
+      (region.right - region.left) * static_cast<double>(region.bottom - region.top);
+  double of_all = 0;
+  for (std::size_t c = 0; c < 3 && pixels > 0; ++c) {
+    const double mean = sum[c] / pixels;
+    of_all += std::max(0.0, squares[c] / pixels - mean * mean);
+  }
+  return of_all / 3;
+}
+
 bool is_flat(const Image& image) {
   const Image shape = as_silhouette(image);
   std::array<double, 3> mean{};

@@ -35,6 +35,10 @@ Image through_scaling(const Image& image, const Fitted& fitted);
 /// Mean squared difference of all channels in a region.
 double mean_square(const Image& a, const Image& b, const Region& region);
 
+/// Mean squared difference of all channels from their means in a region: what the plain picture
+/// that is nearest differs by.
+double spread(const Image& image, const Region& region);
+
 /// Every pixel that is not nearly black in white: silhouettes may have any colour.
 Image as_silhouette(const Image& image);
 /// Has all that is not nearly black one colour, as silhouettes have?
