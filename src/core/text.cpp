@@ -220,6 +220,19 @@ std::string shown_text(std::string_view text) {
   return lines;
 }
 
+std::optional<Control> control_at(std::string_view text) {
+  if (text.starts_with('\x7F')) return Control{0x7F, 1};
+  if (text.empty() || (text[0] & 0x80) == 0) return std::nullopt;
+  const std::size_t length = character_length(text);
+  if (length < 2 || length > 3 || show_character(text).text != kReplacement ||
+      text.substr(0, length) == kReplacement)
+    return std::nullopt;
+  unsigned code = static_cast<unsigned char>(text[0]) & (length == 2 ? 0x1Fu : 0x0Fu);
+  for (std::size_t i = 1; i < length; ++i)
+    code = code << 6 | (static_cast<unsigned char>(text[i]) & 0x3Fu);
+  return Control{code, length};
+}
+
 std::string html_text(std::string_view text) {
   std::string out;
   for (const char c : shown_text(text)) {

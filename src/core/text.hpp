@@ -54,6 +54,14 @@ std::string shown_line(std::string_view text);
 /// The same in as many lines as it has.
 std::string shown_text(std::string_view text);
 
+/// A character that steers a terminal or turns the direction of writing around.
+struct Control {
+  unsigned code;
+  std::size_t bytes;
+};
+/// The one that the text begins with, of those from U+007F on; none if another character is there.
+std::optional<Control> control_at(std::string_view text);
+
 /// Text as it stands in an HTML page, otherwise as shown_text().
 std::string html_text(std::string_view text);
 
