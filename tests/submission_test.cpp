@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -157,11 +158,21 @@ TEST_F(Submissions, OfNothingGetNoMarks) {
         value = most * static_cast<float>(random() % 1000) / 1000.0F;
     };
   };
+  const auto shape = [](bool (*lit)(double, double)) {
+    return [lit](Image& image) {
+      for (std::uint32_t y = 0; y < image.height; ++y)
+        for (std::uint32_t x = 0; x < image.width; ++x)
+          if (lit(x / double(image.width), y / double(image.height)))
+            std::fill_n(image.row(y) + std::size_t{3} * x, 3, 0.4F);
+    };
+  };
   std::vector<std::pair<std::string, std::function<void(Image&)>>> nothings = {
       {"red", plain(1, 0, 0)},
       {"brown", plain(0.3F, 0.2F, 0)},
       {"noise", noise(1)},
-      {"dark noise", noise(0.2F)}};
+      {"dark noise", noise(0.2F)},
+      {"dark above grey", shape([](double, double y) { return y < 0.5; })},
+      {"a disc", shape([](double x, double y) { return std::hypot(x - 0.5, y - 0.5) < 0.4; })}};
   for (const float grey : {0.0F, 0.05F, 0.1F, 0.2F, 0.5F, 1.0F})
     nothings.emplace_back(fmt::format("grey {}", grey), plain(grey, grey, grey));
   const std::vector<Scene> scenes = {course_scene(), second_scene(), third_scene()};

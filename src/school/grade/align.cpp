@@ -12,6 +12,10 @@
 namespace zraka {
 namespace {
 
+/// A picture shows another only where it is this much nearer to it than the nearest plain one is,
+/// in squared differences: greys and noise are near to many dark pictures, and show none.
+constexpr double kShown = 0.25;
+
 float value_at(const Image& image, std::int64_t x, std::int64_t y, std::size_t c) {
   return image
       .pixels[(static_cast<std::size_t>(y) * image.width + static_cast<std::size_t>(x)) * 3 + c];
@@ -171,6 +175,12 @@ double spread(const Image& image, const Region& region) {
     of_all += std::max(0.0, squares[c] / pixels - mean * mean);
   }
   return of_all / 3;
+}
+
+bool shows(const Image& picture, const Image& other, const Region& region) {
+  const double plain = spread(other, region);
+  return plain <= kSame ? spread(picture, region) <= kSame
+                        : mean_square(picture, other, region) <= kShown * plain;
 }
 
 bool is_flat(const Image& image) {

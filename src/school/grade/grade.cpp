@@ -14,6 +14,7 @@
 #include "image/alter.hpp"
 #include "image/packed.hpp"
 #include "school/grade/align.hpp"
+#include "school/grade/rubric.hpp"
 #include "school/grade/submission.hpp"
 
 namespace zraka {
@@ -28,15 +29,10 @@ constexpr double kExplained = 0.5;
 constexpr double kExplainedWithLoss = 0.2;
 /// A picture farther than this from every mistake's shows none of them, whatever it explains.
 constexpr double kNamed = 0.1;
-/// A picture shows another only where it is this much nearer to it than the nearest plain one is,
-/// in squared differences: greys and noise are near to many dark pictures, and show none.
-constexpr double kShown = 0.5;
 /// What JPEG and scaling may add, as a root mean square of values of 0…1.
 constexpr double kLoss = 0.04;
 /// Pixels that may be left over where a mistake is named, and those of an edge that was blurred.
 constexpr double kRestOfMistake = 0.05, kEdges = 0.02;
-/// Pictures that differ by less than this are the same.
-constexpr double kSame = 1e-9;
 
 struct Candidate {
   Mistake mistake = Mistake::none;
@@ -87,7 +83,6 @@ struct Grader::Impl {
   int nearest_stage(const Image& image) const;
   StageGrade judge_alone(const SubmittedPicture& picture, const Result<ReadImage>& image) const;
   std::vector<StageGrade> judge_all(const std::vector<SubmittedPicture>& pictures) const;
-  void mark(std::vector<StageGrade>& stages) const;
 };
 
 const StagePictures& Grader::Impl::pictures(int stage) const {
@@ -153,13 +148,6 @@ Match Grader::Impl::best_match(int stage, const Fitted& fitted,
   look(0);
   if (way != 0) look(way);
   return nearest;
-}
-
-/// Is the one picture nearer to the other than a plain one could be?
-bool shows(const Image& picture, const Image& other, const Region& region) {
-  const double plain = spread(other, region);
-  return plain <= kSame ? spread(picture, region) <= kSame
-                        : mean_square(picture, other, region) <= kShown * plain;
 }
 
 PictureKind Grader::Impl::kind() const {
@@ -319,24 +307,6 @@ std::vector<StageGrade> Grader::Impl::judge_all(
   return grades;
 }
 
-/// A mistake costs where it comes first.
-void Grader::Impl::mark(std::vector<StageGrade>& grades) const {
-  std::set<Mistake> before;
-  for (StageGrade& grade : grades) {
-    grade.of = rubric.marks[static_cast<std::size_t>(grade.stage - 1)];
-    if (grade.verdict == Verdict::right) grade.marks = grade.of;
-    if (grade.verdict != Verdict::mistaken) continue;
-    const auto any_of = [&](const std::set<Mistake>& set) {
-      return std::any_of(grade.mistakes.begin(), grade.mistakes.end(),
-                         [&](Mistake mistake) { return set.contains(mistake); });
-    };
-    grade.repeated = any_of(before);
-    const bool free = any_of(rubric.allowed) || (rubric.once && grade.repeated);
-    grade.marks = free ? grade.of : grade.of * rubric.for_mistake;
-    before.insert(grade.mistakes.begin(), grade.mistakes.end());
-  }
-}
-
 Grader::Grader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Grader::Grader(Grader&&) noexcept = default;
 Grader::~Grader() = default;
@@ -392,7 +362,7 @@ Grade Grader::grade(const std::string& path, Links links) const {
     } else {
       grade.stages = impl_->judge_all(*pictures);
     }
-    impl_->mark(grade.stages);
+    mark(impl_->rubric, grade.stages);
     if (alone) grade.of = 0;
     for (const StageGrade& stage : grade.stages) {
       grade.marks += stage.marks;
@@ -418,13 +388,6 @@ std::optional<ToldApart> Grader::told_apart(const StageGrade& stage) const {
   Result<Explanation> right = explained(Mistake::none), mistaken = explained(mistake);
   if (!right || !mistaken) return std::nullopt;  // a tree too large to be explained
   return ToldApart{std::move(*right), std::move(*mistaken)};
-}
-
-Rubric default_rubric() {
-  Rubric rubric;
-  for (const MistakeEntry& entry : all_mistakes())
-    if (entry.allowed) rubric.allowed.insert(entry.mistake);
-  return rubric;
 }
 
 }  // namespace zraka

@@ -206,7 +206,15 @@ Result<std::vector<SubmittedPicture>> from_archive(const std::string& path) {
   }
 }
 
+bool is_archive(const std::string& file) {
+  return lower_case(fs::path(file).extension().string()) == ".zip";
+}
+
 }  // namespace
+
+bool is_handed_in(const std::string& file) {
+  return is_picture(file) || is_archive(file);
+}
 
 int stage_of_name(const std::string& file) {
   const std::string name = lower_case(fs::path(file).stem().string());
@@ -243,7 +251,7 @@ Result<std::vector<SubmittedPicture>> read_submission(const std::string& path, L
     pictures = FolderReader(path).read();
   } else if (!fs::is_regular_file(status)) {
     return failure(path, "it is neither a file nor a folder");
-  } else if (lower_case(fs::path(path).extension().string()) == ".zip") {
+  } else if (is_archive(path)) {
     pictures = from_archive(path);
   } else {
     const std::string file = fs::path(path).filename().string();

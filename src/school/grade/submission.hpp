@@ -38,6 +38,9 @@ Result<std::vector<SubmittedPicture>> read_submission(const std::string& path, L
 /// compared with. Large ones are decoded one at a time, whatever the number of threads.
 Result<ReadImage> read_picture(const SubmittedPicture& picture, const PictureKind& kind);
 
+/// Is the file called like a picture, or like an archive of pictures?
+bool is_handed_in(const std::string& file);
+
 /// The stage that a file's name tells, in English or Croatian: 0 where it tells none, or
 /// kNoStage.
 int stage_of_name(const std::string& file);
