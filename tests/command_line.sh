@@ -31,6 +31,9 @@ done
 expect 2 "is not the name of a PNG" "$zraka" render "$scene" -o p.pfm
 expect 2 "'flake.png' is not the name of an NFF file" "$zraka" generate sphereflake -o flake.png
 expect 1 "standard output: error: cannot be written" bash -c "'$zraka' info $scene >/dev/full"
+for question in --help "render --help" --version "help compare"; do
+  expect 1 "standard output: error: cannot be written" bash -c "'$zraka' $question >/dev/full"
+done
 expect 2 "--frobnicate" "$zraka" render "$scene" -o "$folder/a.png" --frobnicate
 expect 2 "--output is required" "$zraka" render "$scene"
 expect 2 "'9' is not a stage" "$zraka" render "$scene" -o "$folder/a.png" --stage 9
@@ -40,7 +43,7 @@ expect 1 "which is no instruction set" env ZRAKA_ISA=mmx "$zraka" render "$scene
 expect 2 "'x.jpg' is not the name of a PNG" "$zraka" render "$scene" -o x.jpg
 [ -e "$folder/a.png" ] && fail "a picture of a render that failed"
 cp "$scene" "$folder/own.txt"
-expect 1 "is the scene itself" "$zraka" render "$folder/own.txt" -o "$folder/own.txt"
+expect 1 "would be written over an input of this command" "$zraka" render "$folder/own.txt" -o "$folder/own.txt"
 cmp -s "$scene" "$folder/own.txt" || fail "a scene was overwritten"
 
 # Pictures: silent when piped, the same by number and by name of a stage.

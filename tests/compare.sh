@@ -34,8 +34,8 @@ expect 2 "--allow" "$zraka" compare "$folder/a.png" "$folder/b.png" --allow 2
 expect 2 "--format" "$zraka" compare "$folder/a.png" "$folder/b.png" --format xml
 expect 2 "Only one of the pictures can be standard input." "$zraka" compare - -
 expect 2 "Only one output can be standard output." "$zraka" compare "$folder/a.png" "$folder/b.png" --heat - --html -
-expect 2 "a.png is one of the pictures" "$zraka" compare "$folder/a.png" "$folder/b.png" --heat "$folder/a.png"
-expect 2 "b.png is one of the pictures" "$zraka" compare "$folder/a.png" "$folder/b.png" --html "$folder/b.png"
+expect 2 "a.png: error: would be written over an input of this command" "$zraka" compare "$folder/a.png" "$folder/b.png" --heat "$folder/a.png"
+expect 2 "b.png: error: would be written over an input of this command" "$zraka" compare "$folder/a.png" "$folder/b.png" --html "$folder/b.png"
 expect 2 "'heat.jpg' is not the name of a PNG" "$zraka" compare "$folder/a.png" "$folder/b.png" --heat heat.jpg
 expect 2 "does its folder exist?" "$zraka" compare "$folder/a.png" "$folder/b.png" --heat "$folder/no/heat.png"
 expect 2 "does its folder exist?" "$zraka" compare "$folder/a.png" "$folder/b.png" --html "$folder/no/page.html"

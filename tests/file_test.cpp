@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/file.hpp"
 
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 #include <zraka/formats.hpp>
+
+#include "core/new_file.hpp"
 
 namespace zraka {
 namespace {
@@ -67,12 +75,136 @@ TEST_F(Files, KeepPermissionsAndLinks) {
   EXPECT_EQ(static_cast<int>(fs::status(path("a")).permissions()), 0640);
 }
 
-TEST_F(Files, AreRemovedWhenInterrupted) {
-  Result<NewFile> file = NewFile::create(path("a"));
-  ASSERT_TRUE(file);
-  EXPECT_EQ(count(), 1u);
-  remove_incomplete_files();
+TEST_F(Files, AreWrittenThroughChainsOfLinks) {
+  fs::create_directories(path("in"));
+  ASSERT_TRUE(write_text_file(path("in/a"), "old"));
+  fs::create_symlink("in/second", path("first"));
+  fs::create_symlink("third", path("in/second"));
+  fs::create_symlink(path("in/a"), path("in/third"));
+  ASSERT_TRUE(write_text_file(path("first"), "new"));
+  EXPECT_EQ(content(path("in/a")), "new");
+  fs::remove(path("in/a"));
+  ASSERT_TRUE(write_text_file(path("first"), "newer")) << "where the last one leads nowhere yet";
+  EXPECT_EQ(content(path("in/a")), "newer");
+  for (const char* link : {"first", "in/second", "in/third"})
+    EXPECT_TRUE(fs::is_symlink(path(link))) << link;
+
+  fs::create_symlink("here", path("there"));
+  fs::create_symlink("there", path("here"));
+  const Result<void> looped = write_text_file(path("here"), "x");
+  ASSERT_FALSE(looped);
+  EXPECT_EQ(to_string(looped.error().front()),
+            path("here") + ": error: cannot be written: Too many levels of symbolic links\n");
+  EXPECT_TRUE(fs::is_symlink(path("here")));
+}
+
+TEST_F(Files, WithoutANameAreWrittenAsTheyStand) {
+  const int descriptor = ::open(path("gone").c_str(), O_RDWR | O_CREAT, 0600);
+  ASSERT_GE(descriptor, 0);
+  ASSERT_TRUE(fs::remove(path("gone")));
+  ASSERT_TRUE(write_text_file(fmt::format("/proc/self/fd/{}", descriptor), "text"));
+  char text[5] = {};
+  EXPECT_EQ(::pread(descriptor, text, 4, 0), 4);
+  EXPECT_STREQ(text, "text");
   EXPECT_EQ(count(), 0u);
+  ::close(descriptor);
+}
+
+TEST_F(Files, MayHaveTheLongestNames) {
+  std::string longest(255, 'x');
+  ASSERT_TRUE(write_text_file(path(longest), "a"));
+  EXPECT_EQ(content(path(longest)), "a");
+  std::string letters;
+  while (letters.size() < 252) letters += "š";  // 2 bytes, of which none is to be cut
+  ASSERT_TRUE(write_text_file(path(letters), "b"));
+  EXPECT_EQ(content(path(letters)), "b");
+  EXPECT_EQ(count(), 2u);
+  longest += 'x';
+  const Result<void> written = write_text_file(path(longest), "c");
+  ASSERT_FALSE(written);
+  EXPECT_EQ(to_string(written.error().front()),
+            path(longest) + ": error: cannot be written: File name too long\n");
+}
+
+TEST_F(Files, AreRemovedWhenInterrupted) {
+  const auto interrupted = [&] {
+    const Result<NewFile> file = NewFile::create(path("a"));
+    if (!file || count() != 1) ::_exit(1);
+    remove_incomplete_files();
+    ::_exit(count() == 0 ? 0 : 2);
+  };
+  EXPECT_EXIT(interrupted(), testing::ExitedWithCode(0), "");
+}
+
+/// A process in which two threads make files without end until a signal reaches a third.
+[[noreturn]] void make_files_until_a_signal(const std::string& folder, int ready) {
+  const auto make = [&](int which) {
+    for (;;) {
+      const Result<NewFile> file = NewFile::create(fmt::format("{}/{}", folder, which));
+      if (!file) ::_exit(2);
+    }
+  };
+  sigset_t term, before;
+  sigemptyset(&term);
+  sigaddset(&term, SIGTERM);
+  ::pthread_sigmask(SIG_BLOCK, &term, &before);
+  std::thread first(make, 1), second(make, 2);
+  struct sigaction action {};
+  action.sa_handler = [](int) {
+    remove_incomplete_files();
+    ::_exit(0);
+  };
+  ::sigaction(SIGTERM, &action, nullptr);
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  if (::write(ready, "!", 1) != 1) ::_exit(3);
+  for (;;) ::pause();
+}
+
+TEST_F(Files, AreRemovedWhenASignalReachesAnotherThread) {
+  for (int i = 0; i < 50; ++i) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    const pid_t child = ::fork();
+    if (child == 0) make_files_until_a_signal(folder_.string(), ends[1]);
+    char byte = 0;
+    ASSERT_EQ(::read(ends[0], &byte, 1), 1);
+    ::usleep(static_cast<useconds_t>(100 + 37 * (i % 20)));
+    ::kill(child, SIGTERM);
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ::close(ends[0]);
+    ::close(ends[1]);
+    ASSERT_EQ(status, 0);
+    ASSERT_EQ(count(), 0u) << "in round " << i;
+  }
+}
+
+TEST_F(Files, AreNotWrittenOverInputs) {
+  const auto problem = [&](const std::vector<std::string>& in,
+                           const std::vector<std::string>& out) {
+    const Result<void> good = check_outputs(in, out);
+    return good ? std::string() : to_string(good.error().front());
+  };
+  ASSERT_TRUE(write_text_file(path("in"), "scene"));
+  fs::create_symlink("in", path("link"));
+  fs::create_symlink("link", path("chain"));
+  fs::create_hard_link(path("in"), path("hard"));
+  fs::create_directories(path("folder"));
+  const std::string over =
+      ": error: would be written over an input of this command: it needs "
+      "another name\n";
+  EXPECT_EQ(problem({path("in")}, {"", "-", path("in")}), path("in") + over);
+  for (const char* same : {"link", "chain", "hard", "folder/../in"})
+    EXPECT_EQ(problem({path("other"), path("in")}, {path("new"), path(same)})
+                  .substr(0, path(same).size() + over.size()),
+              path(same) + over);
+  EXPECT_EQ(problem({path("in")}, {path("new"), path("newer"), path("folder/in")}), "");
+  EXPECT_EQ(problem({"-", "", "/dev/null"}, {"-", "/dev/null", "/dev/null"}), "");
+  fs::create_symlink("new", path("to-new"));
+  const std::string twice =
+      ": error: would be written twice: each output needs a name of its own\n";
+  for (const char* same : {"new", "folder/../new", "to-new"})
+    EXPECT_EQ(problem({}, {path("new"), path(same)}), path(same) + twice);
 }
 
 TEST_F(Files, ThatCannotBeWrittenSayWhy) {

@@ -51,6 +51,31 @@ mkdir "$class/one" && cp "$class/right/7.png" "$class/one/"
 contains "$folder/class.html" "1 of 7 marks"
 [ -e "$folder/7.png" ] && fail "an archive climbed out"
 
+# Nine black pictures of 4096² pixels in 4 KB: decoded at once they would take 1.8 GB.
+python3 - "$zraka" "$scene" "$folder/black.zip" <<'PY' || fail "black pictures take too much memory"
+import resource, struct, subprocess, sys, zipfile, zlib
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+side = 4096
+png = b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, 0)) + chunk(
+    b"IDAT", zlib.compress(bytes((1 + 3 * side) * side), 9)) + chunk(b"IEND", b"")
+with zipfile.ZipFile(sys.argv[3], "w", zipfile.ZIP_DEFLATED) as z:
+    for i in range(9):
+        z.writestr(f"{i % 7 + 1}-{i}.png", png)
+subprocess.run([sys.argv[1], "grade", sys.argv[2], "--width", "48", sys.argv[3]], check=True, stdout=subprocess.DEVNULL)
+sys.exit(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss > 1300000)  # KB
+PY
+
+# Links at the top of a class are told, not followed; its page is no submission the next time.
+mkdir "$folder/links"
+cp -r "$class/one" "$folder/links/ana"
+ln -s "$class/right" "$folder/links/iva"
+for _ in 1 2; do
+  "$zraka" grade $scene --width 48 "$folder/links" --all -o "$folder/links/marks.txt" || fail "a class with a link"
+done
+contains "$folder/links/marks.txt" "it is a link, which is not followed"
+[ "$(wc -l <"$folder/links/marks.txt")" = 2 ] || fail "the marks are a submission"
+
 # Wrong usage.
 "$zraka" grade $scene "$folder/nobody" >"$folder/out" 2>&1
 [ $? = 1 ] || fail "a missing submission does not fail"

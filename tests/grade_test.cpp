@@ -226,7 +226,10 @@ TEST(Rubric, IsReadOrRefused) {
   const auto read = [&](const char* text) {
     std::ofstream(folder.file("r.json")) << text;
     const Result<Rubric> rubric = read_rubric(folder.file("r.json"));
-    return rubric ? std::string("read") : rubric.error().front().message;
+    if (rubric) return std::string("read");
+    const Diagnostic& problem = rubric.error().front();
+    return (problem.line > 0 ? fmt::format("{}:{}: ", problem.line, problem.column) : "") +
+           problem.message;
   };
   EXPECT_EQ(read(R"({"marks": [1,1,2,2,3,3,4], "allowed": ["gamma"], "tolerance": 3})"), "read");
   EXPECT_EQ(read("[]"), "it is no JSON object");
@@ -234,6 +237,12 @@ TEST(Rubric, IsReadOrRefused) {
   EXPECT_EQ(read(R"({"share": 2})"), "\"share\" is not a number from 0 to 1");
   EXPECT_EQ(read(R"({"allowed": ["gama"]})"), "\"allowed\": there is no mistake 'gama'");
   EXPECT_EQ(read(R"({"bonus": 1})"), "there is no \"bonus\" in a rubric");
+  EXPECT_EQ(read("{\n  \"once\": yes}"), "2:11: it is no JSON");
+  EXPECT_EQ(read((std::string("{\"allowed\":\n[") + std::string(30000, '[')).c_str()),
+            "2:64: brackets are nested more than 64 deep");
+  EXPECT_EQ(read(std::string(100000, '[').c_str()), "is too large: over 65536 bytes");
+  EXPECT_EQ(read(R"({"allowed": [[[["\"]"]]]]})"),
+            "\"allowed\": there is no mistake '[[[\"\\\"]\"]]]'");
 }
 
 }  // namespace

@@ -88,6 +88,24 @@ TEST(Shown, CutsAndCleans) {
   EXPECT_EQ(shown(std::string(100, 'x')), std::string(60, 'x') + "…");
 }
 
+TEST(Shown, LeavesNothingThatSteersATerminal) {
+  // ESC, DEL, CSI as a C1 control, a right-to-left override, an isolate, a mark, a separator.
+  for (const char* control :
+       {"\x1b", "\x7f", "\u009b", "\u202e", "\u2066", "\u200f", "\u2028", "\u061c", "\b", "\x9b"}) {
+    const std::string text = std::string("a") + control + "b", want = "a\uFFFDb";
+    EXPECT_EQ(shown(text), want);
+    EXPECT_EQ(shown_line(text), want);
+    EXPECT_EQ(shown_text(text + "\n" + text), want + "\n" + want);
+    EXPECT_EQ(html_text(text), want);
+    EXPECT_EQ(TextPositions(text).excerpt(0), want + "\n^");
+  }
+  const std::string kept = "čž → “x”\u00A0\u200B\u2030 \u2065 \u206A 😀";
+  EXPECT_EQ(shown_line(kept), kept);
+  EXPECT_EQ(shown_line("a\tb\nc"), "a\tb↵c");
+  EXPECT_EQ(shown_text("a\tb\n\nc\n"), "a\tb\n\nc\n");
+  EXPECT_EQ(html_text("<a\n&\"b\">"), "&lt;a\n&amp;&quot;b&quot;&gt;");
+}
+
 TEST(Grouped, PutsSpacesBetweenThousands) {
   EXPECT_EQ(grouped(0), "0");
   EXPECT_EQ(grouped(999), "999");
@@ -98,6 +116,16 @@ TEST(Diagnostic, ReadsLikeACompilers) {
   const Diagnostic d{Severity::warning, "a.txt", 3, 7, "something is odd", "mend it", "line\n  ^"};
   EXPECT_EQ(to_string(d), "a.txt:3:7: warning: something is odd\n  line\n    ^\n  mend it\n");
   EXPECT_EQ(to_string({.message = "no"}), "error: no\n");
+}
+
+TEST(Diagnostic, IsSafeOnATerminal) {
+  EXPECT_EQ(to_string({.file = "a\x1b]0;x\x07\nb.txt",
+                       .line = 1,
+                       .message = "'\u202e' is odd",
+                       .hint = "no \x1b[2J\nbut two lines",
+                       .excerpt = "\x1b[31m\n^"}),
+            "a\uFFFD]0;x\uFFFD↵b.txt:1: error: '\uFFFD' is odd\n  \uFFFD[31m\n  ^\n"
+            "  no \uFFFD[2J\nbut two lines\n");
 }
 
 TEST(Base64, IsThatOfTheStandard) {

@@ -93,7 +93,8 @@ int flushed() {
 }
 
 int wrong_usage(const std::string& problem, const CLI::App& app) {
-  fmt::print(stderr, "{}\nRun '{} --help' for more information.\n", problem, full_name(app));
+  fmt::print(stderr, "{}\nRun '{} --help' for more information.\n", shown_text(problem),
+             full_name(app));
   return kWrongUsage;
 }
 

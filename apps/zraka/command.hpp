@@ -21,7 +21,7 @@ namespace zraka::app {
 
 /// What the program ends with; compare has codes of its own, and signals end it with 128 and
 /// their number.
-enum ExitCode { kDone = 0, kFailed = 1, kWrongUsage = 2, kInterrupted = 130 };
+enum ExitCode { kDone = 0, kFailed = 1, kWrongUsage = 2, kSignalled = 128 };
 
 /// Where the value of an option goes; a bool is a flag without a value.
 using OptionTarget = std::variant<bool*, int*, std::uint32_t*, std::size_t*, double*, std::string*,

@@ -9,8 +9,9 @@
 
 #include "commands.hpp"
 #include "compare/words.hpp"
-#include "core/file.hpp"
 #include "core/json.hpp"
+#include "core/new_file.hpp"
+#include "core/text.hpp"
 #include "render_options.hpp"
 #include "terminal.hpp"
 #include "zraka/zraka.hpp"
@@ -38,7 +39,7 @@ int trouble(const Diagnostics& problems) {
   return kTrouble;
 }
 
-std::string shown_name(const std::string& path) {
+std::string name_of_input(const std::string& path) {
   return path == "-" ? "standard input" : path;
 }
 
@@ -83,8 +84,8 @@ void print_json(const Comparison& c, const Arguments& arguments) {
   Json json = {{"within", c.within},
                {"equal", e.largest == 0},
                {"same_size", true},
-               {"a", json_of(c.a, shown_name(arguments.a))},
-               {"b", json_of(c.b, shown_name(arguments.b))},
+               {"a", json_of(c.a, name_of_input(arguments.a))},
+               {"b", json_of(c.b, name_of_input(arguments.b))},
                {"compared", {{"bits", c.bits}, {"floats", c.floats}}},
                {"unit", "1/255"},
                {"tolerance", c.options.tolerance},
@@ -111,7 +112,8 @@ void print_text(const Comparison& c, const Arguments& arguments) {
   const auto print_lines = [](const Lines& lines) {
     for (const auto& [label, value] : lines) fmt::print("  {:<9} {}\n", label, value);
   };
-  print_lines(measure_lines(c, shown_name(arguments.a), shown_name(arguments.b)));
+  print_lines(measure_lines(c, shown_line(name_of_input(arguments.a)),
+                            shown_line(name_of_input(arguments.b))));
   print_lines(pixel_lines(c));
 }
 
@@ -121,12 +123,13 @@ int sizes_differ(const ReadImage& a, const ReadImage& b, const Arguments& argume
     print({{"within", false},
            {"equal", false},
            {"same_size", false},
-           {"a", json_of(a, shown_name(arguments.a))},
-           {"b", json_of(b, shown_name(arguments.b))}});
+           {"a", json_of(a, name_of_input(arguments.a))},
+           {"b", json_of(b, name_of_input(arguments.b))}});
     return kDiffer;
   }
   fmt::print("The pictures have different sizes.\n  A         {}: {}\n  B         {}: {}\n",
-             shown_name(arguments.a), describe(a), shown_name(arguments.b), describe(b));
+             shown_line(name_of_input(arguments.a)), describe(a),
+             shown_line(name_of_input(arguments.b)), describe(b));
   if (!arguments.heat.empty() || !arguments.html.empty())
     fmt::print("  There is nothing to draw: no heat map and no page were written.\n");
   return kDiffer;
@@ -142,9 +145,9 @@ Result<void> write_heat(const Comparison& c, const Arguments& arguments) {
 
 /// A page is handed on, so it names files without their folders, unless only these differ.
 Result<void> write_page(const Comparison& c, const Arguments& arguments) {
-  std::string a = std::filesystem::path(shown_name(arguments.a)).filename().string();
-  std::string b = std::filesystem::path(shown_name(arguments.b)).filename().string();
-  if (a == b) a = shown_name(arguments.a), b = shown_name(arguments.b);
+  std::string a = std::filesystem::path(name_of_input(arguments.a)).filename().string();
+  std::string b = std::filesystem::path(name_of_input(arguments.b)).filename().string();
+  if (a == b) a = name_of_input(arguments.a), b = name_of_input(arguments.b);
   const Result<std::string> page = comparison_page(c, a, b);
   if (!page) return tl::make_unexpected(page.error());
   return write_text_file(arguments.html, *page);
@@ -153,7 +156,7 @@ Result<void> write_page(const Comparison& c, const Arguments& arguments) {
 void warn_of_curve(const Comparison& c, const Arguments& arguments) {
   Diagnostic note;
   note.severity = Severity::warning;
-  note.file = shown_name(c.a.floats ? arguments.b : arguments.a);
+  note.file = name_of_input(c.a.floats ? arguments.b : arguments.a);
   note.message = fmt::format(
       "agrees much better (RMSE {:.4g} of 255) if it was written {} the sRGB "
       "curve",
@@ -194,13 +197,6 @@ std::string problem_of_names(const Arguments& arguments) {
     return "Only one of the pictures can be standard input.";
   if (arguments.heat == "-" && arguments.html == "-")
     return "Only one output can be standard output.";
-  for (const std::string& output : {arguments.heat, arguments.html})
-    for (const std::string& input : {arguments.a, arguments.b}) {
-      std::error_code ignored;
-      if (!output.empty() && std::filesystem::equivalent(input, output, ignored))
-        return fmt::format("{} is one of the pictures: what is written needs another name.",
-                           output);
-    }
   return "";
 }
 
@@ -210,6 +206,9 @@ int run_to_code(Arguments arguments) {
     fmt::print(stderr, "{}\n", problem);
     return kWrongUsage;
   }
+  const Result<void> good =
+      check_outputs({arguments.a, arguments.b}, {arguments.heat, arguments.html});
+  if (!good) return trouble(good.error());
   if (arguments.heat == "-" || arguments.html == "-") arguments.quiet = true;
   try {
     const int code = run(arguments);

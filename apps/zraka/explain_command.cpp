@@ -78,7 +78,7 @@ Result<std::string> text_for(const Arguments& arguments, Scene& scene, const Ren
 }
 
 int run(const Arguments& arguments) {
-  Result<Scene> scene = arguments.load();
+  Result<Scene> scene = arguments.load({arguments.output, arguments.rays});
   if (!scene) return fail(scene.error());
   RenderOptions options = arguments.options(*scene);
   options.terms = terms_of(*stage_named(arguments.stage));

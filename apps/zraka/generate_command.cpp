@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "commands.hpp"
+#include "core/new_file.hpp"
 #include "render_options.hpp"
 #include "school/generate/benchmarks.hpp"
 #include "school/generate/letter.hpp"
@@ -34,6 +35,8 @@ struct LetterArguments {
 
 int run_letter(LetterArguments arguments) {
   arguments.options.packing = arguments.packing == "fill" ? Packing::fill : Packing::strokes;
+  const Result<void> good = check_outputs({arguments.options.font}, {arguments.output});
+  if (!good) return fail(good.error());
   const Result<Scene> scene = generate_letter(arguments.text, arguments.options);
   if (!scene) return fail(scene.error());
   const Result<std::string> text = write_lab_input(*scene);

@@ -9,11 +9,11 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "core/file.hpp"
 #include "core/text.hpp"
 #include "core/words.hpp"
 #include "render_options.hpp"
 #include "school/grade/page.hpp"
+#include "school/grade/submission.hpp"
 #include "school/grade/words.hpp"
 #include "school/mistakes/names.hpp"
 #include "terminal.hpp"
@@ -48,10 +48,25 @@ Result<std::vector<std::string>> submissions_in(const std::string& folder) {
   return paths;
 }
 
+/// The files in what was handed in that marking reads: pictures and archives.
+std::vector<std::string> files_in(const std::string& submission) {
+  std::vector<std::string> files = {submission};
+  std::error_code error;
+  fs::recursive_directory_iterator it(submission, fs::directory_options::skip_permission_denied,
+                                      error),
+      end;
+  for (; !error && it != end; it.increment(error))
+    if (is_handed_in(it->path().string())) files.push_back(it->path().string());
+  return files;
+}
+
 int run(const Arguments& arguments) {
   const Language language = *language_named(arguments.language);
   if (arguments.list) return list_mistakes(language);
-  const Result<Scene> scene = arguments.load();
+  std::vector<std::string> inputs;
+  if (arguments.output != "-") inputs = files_in(arguments.submission);
+  inputs.push_back(arguments.rubric);
+  const Result<Scene> scene = arguments.load({arguments.output}, std::move(inputs));
   if (!scene) return fail(scene.error());
   Result<Rubric> rubric =
       arguments.rubric.empty() ? default_rubric() : read_rubric(arguments.rubric);
@@ -61,13 +76,18 @@ int run(const Arguments& arguments) {
     Result<std::vector<std::string>> found = submissions_in(arguments.submission);
     if (!found) return fail(found.error());
     paths = std::move(*found);
+    // What was written into the folder before is no submission.
+    std::erase_if(paths, [&](const std::string& path) {
+      std::error_code ignored;
+      return fs::equivalent(path, arguments.output, ignored) && !is_handed_in(path);
+    });
   }
   const Result<Grader> grader = Grader::create(*scene, arguments.options(*scene), *rubric);
   if (!grader) return fail(grader.error());
   const std::string format = format_of(arguments.format, arguments.output);
   std::vector<Grade> grades(paths.size());
   tbb::parallel_for(std::size_t{0}, paths.size(), [&](std::size_t i) {
-    grades[i] = grader->grade(paths[i]);
+    grades[i] = grader->grade(paths[i], arguments.all ? Links::refuse : Links::follow);
     if (arguments.all) grades[i].name = fs::path(paths[i]).filename().string();
     if (arguments.all || format != "html")
       for (StageGrade& stage : grades[i].stages) stage.aligned = {};
@@ -89,7 +109,10 @@ int run(const Arguments& arguments) {
   }
   const Result<void> written = write_text_file(arguments.output, text);
   if (!written) return fail(written.error());
-  return arguments.all || grades.front().problems.empty() ? +kDone : +kFailed;
+  if (arguments.all || grades.front().problems.empty()) return kDone;
+  // The text that was printed has said why.
+  if (arguments.output != "-" || format != "text") show(grades.front().problems);
+  return kFailed;
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ void print_json(const NamedShape& shape, const Influence& influence) {
 }
 
 int run(const Arguments& arguments) {
-  const Result<Scene> scene = arguments.load();
+  const Result<Scene> scene = arguments.load({arguments.output});
   if (!scene) return fail(scene.error());
   std::string name;
   for (const std::string& word : arguments.name)

@@ -11,7 +11,7 @@
 #include <zraka/zraka.hpp>
 
 #include "commands.hpp"
-#include "core/file.hpp"
+#include "core/new_file.hpp"
 #include "terminal.hpp"
 
 namespace zraka::app {
@@ -36,7 +36,7 @@ int run(int argc, char** argv) {
       "  zraka generate letter Č -o letter.txt\n"
       "  zraka compare mine.png picture.png\n"
       "Every command has a --help of its own. Exit codes: 0 done, 1 bad input or failed output,\n"
-      "2 wrong usage, 130 interrupted; those of compare are diff's.");
+      "2 wrong usage, 128 + N ended by signal N (130: Ctrl-C); those of compare are diff's.");
   for (const AddCommand add : kCommands) add(program.command());
   const auto read = program.read(argc, argv);
   if (const int* code = std::get_if<int>(&read)) return *code;

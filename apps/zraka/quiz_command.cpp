@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "core/file.hpp"
+#include "core/new_file.hpp"
 #include "progress.hpp"
 #include "render_options.hpp"
 #include "school/quiz/view.hpp"
@@ -69,10 +70,17 @@ Result<std::vector<std::string>> write_pictures(const Arguments& arguments, cons
   if (arguments.pictures.empty()) return files;
   const Result<void> folder = make_folder(arguments.pictures);
   if (!folder) return tl::make_unexpected(folder.error());
-  for (const QuizPicture& picture : quiz.pictures) {
-    const std::string name = fmt::format("picture-{}.png", files.size() + 1);
-    files.push_back((std::filesystem::path(arguments.pictures) / name).string());
-    const Result<void> written = write_text_file(files.back(), picture.png);
+  for (std::size_t i = 0; i < quiz.pictures.size(); ++i)
+    files.push_back(
+        (std::filesystem::path(arguments.pictures) / fmt::format("picture-{}.png", i + 1))
+            .string());
+  std::vector<std::string> outputs = files;
+  outputs.push_back(arguments.output_name());
+  outputs.push_back(arguments.answers);
+  if (const Result<void> good = check_outputs({arguments.scene}, outputs); !good)
+    return tl::make_unexpected(good.error());
+  for (std::size_t i = 0; i < quiz.pictures.size(); ++i) {
+    const Result<void> written = write_text_file(files[i], quiz.pictures[i].png);
     if (!written) return tl::make_unexpected(written.error());
   }
   return files;
@@ -94,7 +102,7 @@ Result<void> write(const Arguments& arguments, const Quiz& quiz, const QuizView&
 }
 
 int run(const Arguments& arguments) {
-  const Result<Scene> scene = arguments.load();
+  const Result<Scene> scene = arguments.load({arguments.output_name(), arguments.answers});
   if (!scene) return fail(scene.error());
   RenderOptions options = arguments.options(*scene);
   options.terms = terms_of(*stage_named(arguments.stage));
@@ -126,7 +134,7 @@ int run(const Arguments& arguments) {
   if (arguments.quiet) return kDone;
   for (const std::string& name : {arguments.output_name(), arguments.answers})
     if (!name.empty() && arguments.output_name() != "-" && arguments.answers != "-")
-      fmt::print("{}\n", name);
+      print_name(name);
   return kDone;
 }
 

@@ -69,16 +69,9 @@ int run(const Arguments& arguments) {
   const auto since = [](auto start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  std::error_code ignored;
-  if (std::filesystem::equivalent(arguments.scene, arguments.output, ignored)) {
-    Diagnostic problem;
-    problem.file = arguments.output;
-    problem.message = "is the scene itself: the picture needs another name";
-    return fail({problem});
-  }
   Seconds seconds;
   const auto start = std::chrono::steady_clock::now();
-  Result<Scene> scene = arguments.load();
+  Result<Scene> scene = arguments.load({arguments.output});
   if (!scene) return fail(scene.error());
   seconds.load = since(start);
 

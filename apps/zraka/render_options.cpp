@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/new_file.hpp"
 #include "core/words.hpp"
 #include "terminal.hpp"
 
@@ -89,7 +90,11 @@ void add_stage_to(Command& command, std::string& stage) {
           [](const std::string& name) { return stage_named(name).has_value(); });
 }
 
-Result<Scene> RenderArguments::load() const {
+Result<Scene> RenderArguments::load(const std::vector<std::string>& outputs,
+                                    std::vector<std::string> other_inputs) const {
+  other_inputs.push_back(scene);
+  if (const Result<void> good = check_outputs(other_inputs, outputs); !good)
+    return tl::make_unexpected(good.error());
   // From reading to writing. The end of a limit lets more threads start, so this one has none:
   // where the system allows only one thread, one must do.
   if (threads > 0) {

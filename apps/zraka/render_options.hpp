@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 #include <zraka/school/school.hpp>
 
 #include "command.hpp"
@@ -24,8 +25,10 @@ struct RenderArguments {
 
   void add_to(Command& command, Needs scene_needed = Needs::always);
 
-  /// The scene with the size that was asked for; its warnings have been shown.
-  Result<Scene> load() const;
+  /// The scene with the size that was asked for; its warnings have been shown. Fails where an
+  /// output would be written over what is read, or over another output.
+  Result<Scene> load(const std::vector<std::string>& outputs,
+                     std::vector<std::string> other_inputs = {}) const;
   /// The profile asked for, or the scene's.
   ProfileName profile_name(const Scene& scene) const;
   /// All but terms and progress.

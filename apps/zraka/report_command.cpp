@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "core/file.hpp"
+#include "core/new_file.hpp"
 #include "core/text.hpp"
 #include "image/alter.hpp"
 #include "image/page_picture.hpp"
@@ -87,7 +88,7 @@ int run(const Arguments& arguments) {
                 fmt::format("'{}' has no letter for the archive's name", shown(arguments.author)),
                 "--author takes a name in Latin letters, as in --author 'Ana Šarić'")
             .value());
-  Result<Scene> scene = arguments.load();
+  Result<Scene> scene = arguments.load({});
   if (!scene) return fail(scene.error());
   // The pictures of two stages, their difference, and all files are in memory at once.
   const std::uint64_t pixels = std::uint64_t{scene->resolution.width} * scene->resolution.height;
@@ -130,10 +131,14 @@ int run(const Arguments& arguments) {
     if (!zip) return fail(zip.error());
     report.files.push_back({archive, std::move(*zip)});
   }
+  std::vector<std::string> outputs;
+  for (const NamedBytes& file : report.files) outputs.push_back((out / file.name).string());
+  if (const Result<void> good = check_outputs({arguments.scene}, outputs); !good)
+    return fail(good.error());
   for (const NamedBytes& file : report.files) {
     const Result<void> written = write_text_file((out / file.name).string(), file.bytes);
     if (!written) return fail(written.error());
-    if (!arguments.quiet) fmt::print("{}\n", (out / file.name).string());
+    if (!arguments.quiet) print_name((out / file.name).string());
   }
   return kDone;
 }

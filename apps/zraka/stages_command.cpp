@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kStages = kStageNames.size();
 constexpr std::uint32_t kThumbnail = 240;
+constexpr const char* kSheetFile = "contact-sheet.png";
 
 struct Arguments : RenderArguments {
   std::string folder, mistake;
@@ -37,8 +38,22 @@ Result<std::array<Image, kStages>> render_stages(const Arguments& arguments, con
   return images;
 }
 
+std::string stage_file(std::size_t i) {
+  return fmt::format("{}-{}.png", i + 1, kStageNames[i]);
+}
+
+std::string difference_file(std::size_t i) {
+  return fmt::format("difference-{}-{}.png", i + 1, i + 2);
+}
+
 int run(const Arguments& arguments) {
-  const Result<Scene> scene = arguments.load();
+  const std::filesystem::path out(arguments.folder);
+  std::vector<std::string> outputs = {(out / kSheetFile).string()};
+  for (std::size_t i = 0; i < kStages; ++i) {
+    outputs.push_back((out / stage_file(i)).string());
+    if (i + 1 < kStages) outputs.push_back((out / difference_file(i)).string());
+  }
+  const Result<Scene> scene = arguments.load(outputs);
   if (!scene) return fail(scene.error());
   // Seven pictures and six differences are in memory at once.
   const std::uint64_t pixels = std::uint64_t{scene->resolution.width} * scene->resolution.height;
@@ -54,7 +69,6 @@ int run(const Arguments& arguments) {
   const Result<std::array<Image, kStages>> images = render_stages(arguments, *scene, options);
   if (!images) return fail(images.error());
 
-  const std::filesystem::path out(arguments.folder);
   std::vector<Captioned> stages, changes;
   std::array<Difference, kStages - 1> differences;
   Result<void> written;
@@ -64,26 +78,26 @@ int run(const Arguments& arguments) {
           write_png(image, (out / name).string(), {8, options.profile.transfer, options.threads});
   };
   for (std::size_t i = 0; i < kStages; ++i) {
-    write((*images)[i], fmt::format("{}-{}.png", i + 1, kStageNames[i]));
+    write((*images)[i], stage_file(i));
     stages.push_back({&(*images)[i], fmt::format("{} {}", i + 1, kStageNames[i])});
   }
   for (std::size_t i = 0; i + 1 < kStages; ++i) {
     differences[i] = difference((*images)[i], (*images)[i + 1], options.profile.transfer);
-    write(differences[i].image, fmt::format("difference-{}-{}.png", i + 1, i + 2));
+    write(differences[i].image, difference_file(i));
     changes.push_back({&differences[i].image,
                        fmt::format("{} to {}, ×{:.1f}", i + 1, i + 2, differences[i].gain)});
   }
-  write(contact_sheet({stages, changes}, kThumbnail), "contact-sheet.png");
+  write(contact_sheet({stages, changes}, kThumbnail), kSheetFile);
   if (!written) return fail(written.error());
   if (arguments.quiet) return kDone;
 
-  fmt::print("{}\n", (out / "contact-sheet.png").string());
+  print_name((out / kSheetFile).string());
   for (std::size_t i = 0; i < kStages; ++i) {
-    fmt::print("{}\n", (out / fmt::format("{}-{}.png", i + 1, kStageNames[i])).string());
+    print_name((out / stage_file(i)).string());
     if (i + 1 == kStages) break;
     fmt::print("  {} (amplified {:.1f} times): {} of {} pixels change\n",
-               (out / fmt::format("difference-{}-{}.png", i + 1, i + 2)).string(),
-               differences[i].gain, grouped(differences[i].pixels), grouped(pixels));
+               for_output((out / difference_file(i)).string()), differences[i].gain,
+               grouped(differences[i].pixels), grouped(pixels));
   }
   return kDone;
 }

@@ -13,7 +13,8 @@
 #include <zraka/render.hpp>
 
 #include "commands.hpp"
-#include "core/file.hpp"
+#include "core/new_file.hpp"
+#include "core/text.hpp"
 #include "progress.hpp"
 #include "render/isa.hpp"
 
@@ -21,10 +22,10 @@ namespace zraka::app {
 namespace {
 
 /// Only what a signal handler may do: remove files, write a few bytes, leave.
-void on_interrupt(int) {
+void on_interrupt(int signal) {
   remove_incomplete_files();
   Progress::clear_line();
-  ::_exit(kInterrupted);
+  ::_exit(kSignalled + signal);
 }
 
 bool in_colour(int descriptor) {
@@ -40,11 +41,19 @@ bool output_in_color() {
   return in_colour(STDOUT_FILENO);
 }
 
+std::string for_output(const std::string& name) {
+  return ::isatty(STDOUT_FILENO) == 1 ? shown_line(name) : name;
+}
+
+void print_name(const std::string& name) {
+  fmt::print("{}\n", for_output(name));
+}
+
 void catch_interrupts() {
   ::signal(SIGXFSZ, SIG_IGN);  // a limit on files' sizes is a failed write like any other
   struct sigaction action {};
   action.sa_handler = on_interrupt;
-  sigemptyset(&action.sa_mask);
+  sigfillset(&action.sa_mask);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
     struct sigaction old {};
     // Who started us by nohup wants us to outlive the terminal.

@@ -10,8 +10,14 @@ namespace zraka::app {
 /// May standard output have colours? It is a terminal that can, and NO_COLOR is not set.
 bool output_in_color();
 
-/// From here on Ctrl-C and a polite kill end the program at once with exit code 130, and no half
-/// file stays.
+/// The name of a file for standard output: as it is for programs, and without what steers a
+/// terminal where somebody reads it.
+std::string for_output(const std::string& name);
+/// The same on a line of its own.
+void print_name(const std::string& name);
+
+/// From here on Ctrl-C and a polite kill end the program at once with 128 and the signal's number,
+/// as shells count, and no half file stays.
 void catch_interrupts();
 
 /// Diagnostics on standard error, errors and warnings in colour on a terminal.

@@ -30,7 +30,8 @@ using Diagnostics = std::vector<Diagnostic>;
 template <class T>
 using Result = tl::expected<T, Diagnostics>;
 
-/// `file:line:column: error: message`, the excerpt and the hint on lines of their own.
+/// `file:line:column: error: message`, the excerpt and the hint on lines of their own. Safe on a
+/// terminal, whatever the file's name and text hold: controls are replaced.
 std::string to_string(const Diagnostic& diagnostic);
 
 /// A failed result with one error about a file as a whole (or about none, if `file` is empty).

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files, read whole and written whole or not at all.
+// Files, read whole; what is written is in new_file.hpp.
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <string>
 #include <string_view>
 #include <zraka/diagnostic.hpp>
@@ -37,30 +36,5 @@ class FileText {
 
 /// Makes a folder, and those above it, where it is not there yet.
 Result<void> make_folder(const std::string& path);
-
-/// A file that comes into being when it is complete: written beside its name, then renamed over it.
-/// Without commit() nothing stays behind.
-class NewFile {
- public:
-  /// "-" is standard output; devices and pipes are written as they stand.
-  static Result<NewFile> create(const std::string& path);
-  NewFile(NewFile&& other) noexcept;
-  NewFile& operator=(NewFile&&) = delete;
-  ~NewFile();
-
-  std::FILE* stream() const { return stream_; }
-  /// What people know it by: its path, or "standard output".
-  const std::string& name() const { return path_; }
-  /// Flushes, closes, renames. A file that existed is as it was if this fails.
-  Result<void> commit();
-
- private:
-  NewFile() = default;
-  std::string path_, temporary_;
-  std::FILE* stream_ = nullptr;
-};
-
-/// Removes the temporary files of all NewFiles that are not complete; safe in a signal handler.
-void remove_incomplete_files() noexcept;
 
 }  // namespace zraka

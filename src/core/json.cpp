@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/text.hpp"
 
@@ -40,8 +41,40 @@ Json from_library(const Library& library) {
   }
 }
 
-/// Ends the reading of what is nested too deeply.
-struct TooDeep {};
+/// Where brackets are nested deeper than `most`, if they are: the library's values are read, copied
+/// and written by functions that call themselves for each level.
+std::optional<std::size_t> too_deep_at(std::string_view text, int most) {
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (quoted && text[i] == '\\')
+      ++i;
+    else if (text[i] == '"')
+      quoted = !quoted;
+    else if (quoted)
+      continue;
+    else if (text[i] == '[' || text[i] == '{') {
+      if (++depth > most) return i;
+    } else if (text[i] == ']' || text[i] == '}')
+      --depth;
+  }
+  return std::nullopt;
+}
+
+/// What steers a terminal becomes the number that JSON has for it, as the library does below
+/// U+0020.
+std::string without_controls(const std::string& json) {
+  std::string out;
+  for (std::size_t i = 0; i < json.size();) {
+    if (const auto control = control_at(std::string_view(json).substr(i))) {
+      out += fmt::format("\\u{:04x}", control->code);
+      i += control->bytes;
+    } else {
+      out += json[i++];
+    }
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -126,29 +159,26 @@ struct ToLibrary {
 }  // namespace
 
 std::string Json::dump(int indent) const {
-  return visit(ToLibrary{}).dump(indent, ' ', false, Library::error_handler_t::replace);
+  return without_controls(
+      visit(ToLibrary{}).dump(indent, ' ', false, Library::error_handler_t::replace));
 }
 
 Result<Json> Json::parse(std::string_view text, const std::string& file, int most_depth) {
-  try {
-    return from_library(Library::parse(text.begin(), text.end(),
-                                       [most_depth](int depth, Library::parse_event_t, Library&) {
-                                         if (depth > most_depth) throw TooDeep();
-                                         return true;
-                                       }));
-  } catch (const TooDeep&) {
-    return failure(file, fmt::format("it is nested more than {} deep", most_depth));
-  } catch (const Library::parse_error& error) {
-    Diagnostic problem;
-    problem.file = file;
-    problem.message = "it is no JSON";
-    const std::size_t at = std::min(error.byte > 0 ? error.byte - 1 : 0, text.size());
+  const auto problem_at = [&](std::size_t at, const std::string& message) {
     TextPositions positions(text);
     const TextPosition position = positions.at(at);
-    problem.line = position.line;
-    problem.column = position.column;
-    problem.excerpt = positions.excerpt(at);
-    return tl::make_unexpected(Diagnostics{problem});
+    return tl::make_unexpected(Diagnostics{{.file = file,
+                                            .line = position.line,
+                                            .column = position.column,
+                                            .message = message,
+                                            .excerpt = positions.excerpt(at)}});
+  };
+  if (const auto at = too_deep_at(text, most_depth))
+    return problem_at(*at, fmt::format("brackets are nested more than {} deep", most_depth));
+  try {
+    return from_library(Library::parse(text.begin(), text.end()));
+  } catch (const Library::parse_error& error) {
+    return problem_at(std::min(error.byte > 0 ? error.byte - 1 : 0, text.size()), "it is no JSON");
   }
 }
 

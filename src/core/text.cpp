@@ -29,6 +29,17 @@ std::size_t character_length(std::string_view text) {
   return length;
 }
 
+/// Characters that change how others are shown: line and paragraph separators, and what turns the
+/// direction of writing around (Unicode Standard Annex 9, "explicit directional formatting").
+bool steers_layout(std::string_view character) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  if (character.size() == 2) return byte(0) == 0xD8 && byte(1) == 0x9C;  // U+061C
+  if (character.size() != 3 || byte(0) != 0xE2) return false;
+  if (byte(1) == 0x80)  // U+200E, U+200F, U+2028 to U+202E
+    return byte(2) == 0x8E || byte(2) == 0x8F || (byte(2) >= 0xA8 && byte(2) <= 0xAE);
+  return byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9;  // U+2066 to U+2069
+}
+
 /// The first character of a text as it can be shown, and its bytes.
 struct Shown {
   std::string_view text;
@@ -42,6 +53,7 @@ Shown show_character(std::string_view text) {
   if (length == 0 || first == 0x7F || (first < 0x20 && first != '\t')) return {kReplacement, 1};
   if (first == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0)
     return {kReplacement, 2};  // C1 controls
+  if (steers_layout(text.substr(0, length))) return {kReplacement, length};
   return {text.substr(0, length), length};
 }
 
@@ -187,9 +199,43 @@ std::string shown(std::string_view text) {
   return line;
 }
 
+std::string shown_line(std::string_view text) {
+  std::string line;
+  while (!text.empty()) {
+    const Shown character = show_character(text);
+    line += character.text;
+    text.remove_prefix(character.bytes);
+  }
+  return line;
+}
+
+std::string shown_text(std::string_view text) {
+  std::string lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines += shown_line(text.substr(0, end));
+    if (end < text.size()) lines += '\n';
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+std::optional<Control> control_at(std::string_view text) {
+  if (text.starts_with('\x7F')) return Control{0x7F, 1};
+  if (text.empty() || (text[0] & 0x80) == 0) return std::nullopt;
+  const std::size_t length = character_length(text);
+  if (length < 2 || length > 3 || show_character(text).text != kReplacement ||
+      text.substr(0, length) == kReplacement)
+    return std::nullopt;
+  unsigned code = static_cast<unsigned char>(text[0]) & (length == 2 ? 0x1Fu : 0x0Fu);
+  for (std::size_t i = 1; i < length; ++i)
+    code = code << 6 | (static_cast<unsigned char>(text[i]) & 0x3Fu);
+  return Control{code, length};
+}
+
 std::string html_text(std::string_view text) {
   std::string out;
-  for (const char c : is_utf8(text) ? std::string(text) : shown(text)) {
+  for (const char c : shown_text(text)) {
     switch (c) {
       case '&':
         out += "&amp;";

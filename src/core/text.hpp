@@ -34,8 +34,8 @@ class TextPositions {
  public:
   explicit TextPositions(std::string_view text) : text_(text) {}
   TextPosition at(std::size_t position);
-  /// The line around a position, at most about 100 characters of it, controls and broken characters
-  /// replaced; below it a caret.
+  /// The line around a position, at most about 100 characters of it, as shown_line(); below it a
+  /// caret.
   std::string excerpt(std::size_t position) const;
 
  private:
@@ -45,11 +45,24 @@ class TextPositions {
   TextPosition place_;
 };
 
-/// Text as it can be shown on one line: as excerpt() does it, line ends as ↵, cut after 60
-/// characters.
+/// Text from outside as a terminal or a page may have it, on one line and cut after 60 characters:
+/// line ends become ↵, and what is no UTF-8, controls a terminal or turns the direction of writing
+/// around becomes U+FFFD.
 std::string shown(std::string_view text);
+/// The same at its full length, with its tabs.
+std::string shown_line(std::string_view text);
+/// The same in as many lines as it has.
+std::string shown_text(std::string_view text);
 
-/// Text as it stands in an HTML page; what is no character is replaced.
+/// A character that steers a terminal or turns the direction of writing around.
+struct Control {
+  unsigned code;
+  std::size_t bytes;
+};
+/// The one that the text begins with, of those from U+007F on; none if another character is there.
+std::optional<Control> control_at(std::string_view text);
+
+/// Text as it stands in an HTML page, otherwise as shown_text().
 std::string html_text(std::string_view text);
 
 /// The same for prose: the groups of a number's digits stay on one line.

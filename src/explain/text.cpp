@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explain/text.hpp"
 
+#include "core/text.hpp"
 #include "explain/angles.hpp"
 #include "explain/formulas.hpp"
 #include "explain/names.hpp"
@@ -210,7 +211,7 @@ void Writer::ray(const RayTree& tree, std::size_t r, const std::string& lead) {
 std::string Writer::header() const {
   constexpr Word kProfiles[] = {Word::profile_lab, Word::profile_physical, Word::profile_spd};
   std::string text = say(Word::pixel_of, e_.x, e_.y, e_.resolution.width, e_.resolution.height);
-  if (!options_.scene.empty()) text = fmt::format("{}, {}", options_.scene, text);
+  if (!options_.scene.empty()) text = fmt::format("{}, {}", shown_line(options_.scene), text);
   if (options_.profile)
     text += fmt::format(", {}", say(kProfiles[static_cast<int>(*options_.profile)]));
   if (const std::optional<Stage> stage = stage_of(e_.terms))

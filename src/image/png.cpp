@@ -13,7 +13,7 @@
 #include <vector>
 #include <zraka/image.hpp>
 
-#include "core/file.hpp"
+#include "core/new_file.hpp"
 #include "image/deflate.hpp"
 #include "image/quantize.hpp"
 #include "image/readers.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 #include <zraka/values.hpp>
 
-#include "core/file.hpp"
+#include "core/new_file.hpp"
 #include "core/random.hpp"
 
 namespace zraka {

@@ -12,6 +12,10 @@
 namespace zraka {
 namespace {
 
+/// A picture shows another only where it is this much nearer to it than the nearest plain one is,
+/// in squared differences: greys and noise are near to many dark pictures, and show none.
+constexpr double kShown = 0.25;
+
 float value_at(const Image& image, std::int64_t x, std::int64_t y, std::size_t c) {
   return image
       .pixels[(static_cast<std::size_t>(y) * image.width + static_cast<std::size_t>(x)) * 3 + c];
@@ -152,6 +156,31 @@ double mean_square(const Image& a, const Image& b, const Region& region) {
   const double values =
       3.0 * (region.right - region.left) * static_cast<double>(region.bottom - region.top);
   return values > 0 ? sum / values : 0;
+}
+
+double spread(const Image& image, const Region& region) {
+  std::array<double, 3> sum{}, squares{};
+  for (std::uint32_t y = region.top; y < region.bottom; ++y)
+    for (std::uint32_t x = region.left; x < region.right; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double value = value_at(image, x, y, c);
+        sum[c] += value;
+        squares[c] += value * value;
+      }
+  const double pixels =
+      (region.right - region.left) * static_cast<double>(region.bottom - region.top);
+  double of_all = 0;
+  for (std::size_t c = 0; c < 3 && pixels > 0; ++c) {
+    const double mean = sum[c] / pixels;
+    of_all += std::max(0.0, squares[c] / pixels - mean * mean);
+  }
+  return of_all / 3;
+}
+
+bool shows(const Image& picture, const Image& other, const Region& region) {
+  const double plain = spread(other, region);
+  return plain <= kSame ? spread(picture, region) <= kSame
+                        : mean_square(picture, other, region) <= kShown * plain;
 }
 
 bool is_flat(const Image& image) {

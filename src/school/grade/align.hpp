@@ -32,8 +32,17 @@ Image aligned(const Image& image, const Alignment& way);
 /// A picture of a right size as it comes out of the scaling that a submission went through.
 Image through_scaling(const Image& image, const Fitted& fitted);
 
+/// Pictures that differ by less than this in their mean squares are the same.
+inline constexpr double kSame = 1e-9;
+
 /// Mean squared difference of all channels in a region.
 double mean_square(const Image& a, const Image& b, const Region& region);
+
+/// Mean squared difference of all channels from their means in a region: what the plain picture
+/// that is nearest differs by.
+double spread(const Image& image, const Region& region);
+/// Is the one picture nearer to the other than a plain one could be?
+bool shows(const Image& picture, const Image& other, const Region& region);
 
 /// Every pixel that is not nearly black in white: silhouettes may have any colour.
 Image as_silhouette(const Image& image);

@@ -14,6 +14,7 @@
 #include "image/alter.hpp"
 #include "image/packed.hpp"
 #include "school/grade/align.hpp"
+#include "school/grade/rubric.hpp"
 #include "school/grade/submission.hpp"
 
 namespace zraka {
@@ -32,8 +33,6 @@ constexpr double kNamed = 0.1;
 constexpr double kLoss = 0.04;
 /// Pixels that may be left over where a mistake is named, and those of an edge that was blurred.
 constexpr double kRestOfMistake = 0.05, kEdges = 0.02;
-/// Pictures that differ by less than this are the same.
-constexpr double kSame = 1e-9;
 
 struct Candidate {
   Mistake mistake = Mistake::none;
@@ -77,12 +76,13 @@ struct Grader::Impl {
   }
   static Image coarse_of(const Image& image) { return reduced(image, kCoarseSide); }
   const StagePictures& pictures(int stage) const;
+  PictureKind kind() const;
   StageGrade judge(int stage, const SubmittedPicture& submitted) const;
+  StageGrade judge(int stage, const std::string& file, const Result<ReadImage>& submitted) const;
   Match best_match(int stage, const Fitted& fitted, const std::vector<Alignment>& ways) const;
   int nearest_stage(const Image& image) const;
-  StageGrade judge_alone(const SubmittedPicture& picture) const;
+  StageGrade judge_alone(const SubmittedPicture& picture, const Result<ReadImage>& image) const;
   std::vector<StageGrade> judge_all(const std::vector<SubmittedPicture>& pictures) const;
-  void mark(std::vector<StageGrade>& stages) const;
 };
 
 const StagePictures& Grader::Impl::pictures(int stage) const {
@@ -150,20 +150,28 @@ Match Grader::Impl::best_match(int stage, const Fitted& fitted,
   return nearest;
 }
 
+PictureKind Grader::Impl::kind() const {
+  return {right_of(7).width, right_of(7).height, options.profile.transfer};
+}
+
 StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) const {
-  StageGrade grade{.stage = stage, .file = submitted.file};
-  if (!submitted.image) {
+  return judge(stage, submitted.file, read_picture(submitted, kind()));
+}
+
+StageGrade Grader::Impl::judge(int stage, const std::string& file,
+                               const Result<ReadImage>& submitted) const {
+  StageGrade grade{.stage = stage, .file = file};
+  if (!submitted) {
     grade.verdict = Verdict::unreadable;
-    grade.problems = submitted.image.error();
+    grade.problems = submitted.error();
     return grade;
   }
   const Image& wanted = right_of(stage);
-  Image handed_in = submitted.image->image;
-  if (submitted.image->floats) handed_in = as_stored(handed_in, options.profile.transfer, 8);
+  Image handed_in = submitted->image;
   if (stage == 1) handed_in = as_silhouette(handed_in);
   Fitted fitted = fit(handed_in, wanted);
   if (stage == 1) fitted.image = as_silhouette(fitted.image);  // scaling has left greys
-  const bool loss = submitted.image->format == "JPEG" || fitted.alignment.scaled;
+  const bool loss = submitted->format == "JPEG" || fitted.alignment.scaled;
   const double threshold = (rubric.tolerance + 0.5) / 255;
   const auto share_over = [&](const Image& a, const Image& b) {
     const auto cut = [&](const Image& image) {
@@ -185,7 +193,7 @@ StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) con
   };
 
   grade.share_wrong = share_over(fitted.image, wanted);
-  if (!loss && grade.share_wrong <= rubric.share) {
+  if (!loss && grade.share_wrong <= rubric.share && shows(fitted.image, wanted, fitted.region)) {
     settle(fitted.image, {}, Verdict::right);
     grade.share_left = grade.share_wrong;
     return grade;
@@ -209,7 +217,9 @@ StageGrade Grader::Impl::judge(int stage, const SubmittedPicture& submitted) con
                      : stage == 1 ? grade.share_left <= std::max(few, kEdges)
                                   : std::sqrt(match.distance) <= kLoss;
   const double explained = to_right > 0 ? 1 - match.distance / to_right : 1;
-  if (match.candidate == nullptr) {
+  if (!shows(image, through_scaling(named, fitted), fitted.region)) {
+    settle(image, kinds[match.way], Verdict::differs);
+  } else if (match.candidate == nullptr) {
     settle(image, kinds[match.way], close ? Verdict::right : Verdict::differs);
   } else if ((explained >= (loss ? kExplainedWithLoss : kExplained) &&
               std::sqrt(match.distance) <= kNamed) ||
@@ -250,53 +260,51 @@ int Grader::Impl::nearest_stage(const Image& image) const {
 
 /// A picture whose name says nothing is of the nearest stage; or of the last one, if that makes
 /// more of it.
-StageGrade Grader::Impl::judge_alone(const SubmittedPicture& picture) const {
-  if (picture.stage != 0) return judge(picture.stage, picture);
-  if (!picture.image) return judge(7, picture);
-  StageGrade nearest = judge(nearest_stage(picture.image->image), picture);
+StageGrade Grader::Impl::judge_alone(const SubmittedPicture& picture,
+                                     const Result<ReadImage>& image) const {
+  if (picture.stage != 0) return judge(picture.stage, picture.file, image);
+  StageGrade nearest = judge(nearest_stage(image->image), picture.file, image);
   if (nearest.verdict != Verdict::differs) return nearest;
-  StageGrade last = judge(7, picture);
+  StageGrade last = judge(7, picture.file, image);
   return last.verdict == Verdict::differs ? nearest : last;
 }
 
 /// Of two pictures for one stage the first that can be read counts. One whose name says nothing is
-/// of the nearest stage that no other picture is named after.
+/// of the nearest stage that no other picture is named after; one that cannot be read either is
+/// told of at a stage that has none.
 std::vector<StageGrade> Grader::Impl::judge_all(
     const std::vector<SubmittedPicture>& pictures) const {
-  std::array<const SubmittedPicture*, 8> of_stage{};
-  const auto take = [&](const SubmittedPicture& picture, int stage) {
-    const SubmittedPicture*& place = of_stage[static_cast<std::size_t>(stage)];
-    if (place == nullptr || (!place->image && picture.image)) place = &picture;
-  };
+  std::array<std::vector<const SubmittedPicture*>, 8> of_stage;
+  std::vector<StageGrade> unreadable;
   for (const SubmittedPicture& picture : pictures)
-    if (picture.stage >= 1 && picture.stage <= 7) take(picture, picture.stage);
-  for (const SubmittedPicture& picture : pictures)
-    if (picture.stage == 0 && picture.image) take(picture, nearest_stage(picture.image->image));
-
+    if (picture.stage >= 1 && picture.stage <= 7)
+      of_stage[static_cast<std::size_t>(picture.stage)].push_back(&picture);
+  for (const SubmittedPicture& picture : pictures) {
+    if (picture.stage != 0) continue;
+    const Result<ReadImage> image = read_picture(picture, kind());
+    if (image)
+      of_stage[static_cast<std::size_t>(nearest_stage(image->image))].push_back(&picture);
+    else
+      unreadable.push_back(judge(7, picture.file, image));
+  }
   std::vector<StageGrade> grades;
   for (int stage = 1; stage <= 7; ++stage) {
-    const SubmittedPicture* picture = of_stage[static_cast<std::size_t>(stage)];
-    grades.push_back(picture != nullptr ? judge(stage, *picture) : StageGrade{.stage = stage});
+    StageGrade first{.stage = stage};
+    for (const SubmittedPicture* picture : of_stage[static_cast<std::size_t>(stage)]) {
+      StageGrade grade = judge(stage, *picture);
+      const bool counts = grade.verdict != Verdict::unreadable;
+      if (counts || first.verdict == Verdict::missing) first = std::move(grade);
+      if (counts) break;
+    }
+    grades.push_back(std::move(first));
+  }
+  for (auto grade = grades.rbegin(); grade != grades.rend() && !unreadable.empty(); ++grade) {
+    if (grade->verdict != Verdict::missing) continue;
+    unreadable.front().stage = grade->stage;
+    *grade = std::move(unreadable.front());
+    unreadable.erase(unreadable.begin());
   }
   return grades;
-}
-
-/// A mistake costs where it comes first.
-void Grader::Impl::mark(std::vector<StageGrade>& grades) const {
-  std::set<Mistake> before;
-  for (StageGrade& grade : grades) {
-    grade.of = rubric.marks[static_cast<std::size_t>(grade.stage - 1)];
-    if (grade.verdict == Verdict::right) grade.marks = grade.of;
-    if (grade.verdict != Verdict::mistaken) continue;
-    const auto any_of = [&](const std::set<Mistake>& set) {
-      return std::any_of(grade.mistakes.begin(), grade.mistakes.end(),
-                         [&](Mistake mistake) { return set.contains(mistake); });
-    };
-    grade.repeated = any_of(before);
-    const bool free = any_of(rubric.allowed) || (rubric.once && grade.repeated);
-    grade.marks = free ? grade.of : grade.of * rubric.for_mistake;
-    before.insert(grade.mistakes.begin(), grade.mistakes.end());
-  }
 }
 
 Grader::Grader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -326,11 +334,11 @@ Image Grader::picture(int stage, Mistake mistake) const {
   return impl_->right_of(stage);
 }
 
-Grade Grader::grade(const std::string& path) const {
+Grade Grader::grade(const std::string& path, Links links) const {
   Grade grade{.name = path, .stages = {}, .problems = {}};
   for (const double marks : impl_->rubric.marks) grade.of += marks;
   try {
-    Result<std::vector<SubmittedPicture>> pictures = read_submission(path);
+    Result<std::vector<SubmittedPicture>> pictures = read_submission(path, links);
     if (!pictures) {
       grade.problems = pictures.error();
       return grade;
@@ -344,9 +352,17 @@ Grade Grader::grade(const std::string& path) const {
                          .hint = "call it by its stage, 1 to 7"}};
       return grade;
     }
-    grade.stages =
-        alone ? std::vector{impl_->judge_alone(pictures->front())} : impl_->judge_all(*pictures);
-    impl_->mark(grade.stages);
+    if (alone) {
+      const Result<ReadImage> image = read_picture(pictures->front(), impl_->kind());
+      if (!image) {
+        grade.problems = image.error();
+        return grade;
+      }
+      grade.stages = {impl_->judge_alone(pictures->front(), image)};
+    } else {
+      grade.stages = impl_->judge_all(*pictures);
+    }
+    mark(impl_->rubric, grade.stages);
     if (alone) grade.of = 0;
     for (const StageGrade& stage : grade.stages) {
       grade.marks += stage.marks;
@@ -372,13 +388,6 @@ std::optional<ToldApart> Grader::told_apart(const StageGrade& stage) const {
   Result<Explanation> right = explained(Mistake::none), mistaken = explained(mistake);
   if (!right || !mistaken) return std::nullopt;  // a tree too large to be explained
   return ToldApart{std::move(*right), std::move(*mistaken)};
-}
-
-Rubric default_rubric() {
-  Rubric rubric;
-  for (const MistakeEntry& entry : all_mistakes())
-    if (entry.allowed) rubric.allowed.insert(entry.mistake);
-  return rubric;
 }
 
 }  // namespace zraka

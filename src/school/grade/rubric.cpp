@@ -1,65 +1,93 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "school/grade/rubric.hpp"
+
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-#include <zraka/school/grade.hpp>
+#include <algorithm>
 
 #include "core/file.hpp"
+#include "core/json.hpp"
 #include "core/text.hpp"
 
 namespace zraka {
 
+Rubric default_rubric() {
+  Rubric rubric;
+  for (const MistakeEntry& entry : all_mistakes())
+    if (entry.allowed) rubric.allowed.insert(entry.mistake);
+  return rubric;
+}
+
 Result<Rubric> read_rubric(const std::string& path) {
-  const Result<std::string> text = read_file(path, std::uint64_t{1} << 20);
+  constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 16;
+  const Result<std::string> text = read_file(path, kMostBytes);
   if (!text) return tl::make_unexpected(text.error());
-  const nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
-  if (json.is_discarded() || !json.is_object())
+  const Result<Json> json = Json::parse(*text, path);
+  if (!json) return tl::make_unexpected(json.error());
+  if (!json->is_object())
     return failure(path, "it is no JSON object", "docs/grade.md shows a rubric");
   Rubric rubric = default_rubric();
-  const auto number = [&](const char* key, double low, double high, double& value) -> Result<void> {
-    const auto found = json.find(key);
-    if (found == json.end()) return {};
-    if (!found->is_number() || !(found->get<double>() >= low && found->get<double>() <= high))
-      return failure(path, fmt::format("\"{}\" is not a number from {} to {}", key, low, high));
-    value = found->get<double>();
+  const auto number = [&](const std::string& key, const Json& value, double most,
+                          double& to) -> Result<void> {
+    double read = 0;
+    if (!value.get_number(read) || !(read >= 0 && read <= most))
+      return failure(path, fmt::format("\"{}\" is not a number from 0 to {}", key, most));
+    to = read;
     return {};
   };
-  Result<void> good = number("tolerance", 0, 255, rubric.tolerance);
-  if (good) good = number("share", 0, 1, rubric.share);
-  if (good) good = number("for_mistake", 0, 1, rubric.for_mistake);
-  if (!good) return tl::make_unexpected(good.error());
-  for (const auto& [key, value] : json.items()) {
-    if (key == "tolerance" || key == "share" || key == "for_mistake") continue;
-    if (key == "once" && value.is_boolean()) {
-      rubric.once = value.get<bool>();
-    } else if (key == "marks" && value.is_array() && value.size() == rubric.marks.size()) {
-      for (std::size_t i = 0; i < rubric.marks.size(); ++i) {
-        if (!value[i].is_number() || !(value[i].get<double>() >= 0))
+  for (const auto& [key, value] : *json->if_object()) {
+    Result<void> good;
+    if (key == "tolerance") {
+      good = number(key, value, 255, rubric.tolerance);
+    } else if (key == "share") {
+      good = number(key, value, 1, rubric.share);
+    } else if (key == "for_mistake") {
+      good = number(key, value, 1, rubric.for_mistake);
+    } else if (key == "once") {
+      if (value.if_bool() == nullptr) return failure(path, "\"once\" is not true or false");
+      rubric.once = *value.if_bool();
+    } else if (key == "marks") {
+      if (!value.is_array() || value.size() != rubric.marks.size())
+        return failure(path, "\"marks\" is not an array of seven numbers");
+      for (std::size_t i = 0; i < rubric.marks.size(); ++i)
+        if (!(*value.if_array())[i].get_number(rubric.marks[i]) || !(rubric.marks[i] >= 0))
           return failure(path,
                          fmt::format("\"marks\": value {} is not a number of 0 or more", i + 1));
-        rubric.marks[i] = value[i].get<double>();
-      }
-    } else if (key == "allowed" && value.is_array()) {
+    } else if (key == "allowed") {
+      if (!value.is_array()) return failure(path, "\"allowed\" is not an array of mistakes");
       rubric.allowed.clear();
-      for (const auto& one : value) {
-        const std::string name = one.is_string() ? one.get<std::string>() : one.dump();
+      for (const Json& one : *value.if_array()) {
+        const std::string name = one.if_string() != nullptr ? *one.if_string() : one.dump();
         const std::optional<Mistake> mistake = mistake_named(name);
         if (!mistake)
           return failure(path, fmt::format("\"allowed\": there is no mistake '{}'", shown(name)),
                          "zraka grade --list names them all");
         rubric.allowed.insert(*mistake);
       }
-    } else if (key == "marks") {
-      return failure(path, "\"marks\" is not an array of seven numbers");
-    } else if (key == "once" || key == "allowed") {
-      return failure(path, fmt::format("\"{}\" is not {}", key,
-                                       key == "once" ? "true or false" : "an array of mistakes"));
     } else {
       return failure(path, fmt::format("there is no \"{}\" in a rubric", shown(key)),
                      "marks, tolerance, share, for_mistake, once, allowed");
     }
+    if (!good) return tl::make_unexpected(good.error());
   }
   return rubric;
+}
+
+void mark(const Rubric& rubric, std::vector<StageGrade>& grades) {
+  std::set<Mistake> before;
+  for (StageGrade& grade : grades) {
+    grade.of = rubric.marks[static_cast<std::size_t>(grade.stage - 1)];
+    if (grade.verdict == Verdict::right) grade.marks = grade.of;
+    if (grade.verdict != Verdict::mistaken) continue;
+    const auto any_of = [&](const std::set<Mistake>& set) {
+      return std::any_of(grade.mistakes.begin(), grade.mistakes.end(),
+                         [&](Mistake mistake) { return set.contains(mistake); });
+    };
+    grade.repeated = any_of(before);
+    const bool free = any_of(rubric.allowed) || (rubric.once && grade.repeated);
+    grade.marks = free ? grade.of : grade.of * rubric.for_mistake;
+    before.insert(grade.mistakes.begin(), grade.mistakes.end());
+  }
 }
 
 }  // namespace zraka

@@ -2,13 +2,17 @@
 #include "school/grade/submission.hpp"
 
 #include <fmt/format.h>
+#include <locale.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <new>
 
+#include "core/file.hpp"
 #include "core/text.hpp"
+#include "image/alter.hpp"
 #include "school/late/archive.hpp"
 
 namespace zraka {
@@ -19,7 +23,17 @@ namespace fs = std::filesystem;
 /// A screen's worth and more; nobody hands in larger ones by right.
 constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 24;
 constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20;
+constexpr std::uint64_t kMostBytesInAll = std::uint64_t{256} << 20;
 constexpr std::size_t kMostFiles = 64;
+constexpr std::size_t kMostEntries = 10000;
+/// Of a file whose name in an archive is in no encoding: it may be a picture.
+constexpr const char* kUnknownName = "?";
+/// Pictures of more pixels are decoded one at a time.
+constexpr std::uint64_t kLargePicture = std::uint64_t{1} << 20;
+/// Finer detail than this many pixels for one of the right picture says nothing more.
+constexpr std::uint32_t kMostScale = 4;
+/// Room for a window's frame around a small picture.
+constexpr std::uint32_t kFrame = 64;
 
 std::string lower_case(std::string text) {
   for (char& c : text)
@@ -43,33 +57,71 @@ bool is_hidden(const fs::path& path) {
   return false;
 }
 
+tl::unexpected<Diagnostics> a_link(const std::string& path) {
+  return failure(path, "it is a link, which is not followed", "hand in the file itself");
+}
+
 tl::unexpected<Diagnostics> too_many(const std::string& path) {
   return failure(path, fmt::format("it holds more than {} pictures", kMostFiles),
                  "hand in the pictures of the seven stages");
 }
 
-Result<std::vector<SubmittedPicture>> from_folder(const std::string& path) {
-  std::vector<SubmittedPicture> pictures;
-  std::error_code error;
-  fs::recursive_directory_iterator it(path, error), end;
-  if (error) return failure(path, "the folder cannot be read: " + error.message());
-  for (std::size_t seen = 0; it != end; it.increment(error)) {
-    if (error) return failure(path, "the folder cannot be read: " + error.message());
-    if (++seen > 10000) return failure(path, "the folder holds more than 10000 files");
-    const fs::path relative = it->path().lexically_relative(path);
-    if (it->is_symlink(error) || is_hidden(relative)) {
-      it.disable_recursion_pending();
-      continue;
-    }
-    if (it->is_directory(error) && it.depth() >= 2) it.disable_recursion_pending();
-    if (!it->is_regular_file(error) || !is_picture(relative.string())) continue;
-    if (pictures.size() == kMostFiles) return too_many(path);
-    pictures.push_back({relative.string(), stage_of_name(relative.filename().string()), {}, false});
+/// Goes through a folder and those in it, and fails where one cannot be read: pictures must not be
+/// lost without a word.
+class FolderReader {
+ public:
+  explicit FolderReader(const std::string& path) : path_(path) {}
+  Result<std::vector<SubmittedPicture>> read() {
+    if (Result<void> good = look_into(path_); !good) return tl::make_unexpected(good.error());
+    return std::move(pictures_);
   }
-  for (SubmittedPicture& picture : pictures)
-    if (picture.stage != kNoStage)
-      picture.image = read_image((fs::path(path) / picture.file).string(), kMostPixels);
-  return pictures;
+
+ private:
+  Result<void> look_into(const fs::path& folder);
+  Result<void> take(const fs::directory_entry& entry);
+
+  const std::string& path_;
+  std::size_t seen_ = 0;
+  std::vector<SubmittedPicture> pictures_;
+};
+
+Result<void> FolderReader::look_into(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> folders;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (++seen_ > kMostEntries)
+      return failure(path_, fmt::format("the folder holds more than {} files", kMostEntries));
+    if (is_hidden(it->path().filename())) continue;
+    std::error_code unknown;
+    if (it->symlink_status(unknown).type() == fs::file_type::directory)
+      folders.push_back(it->path());
+    else if (Result<void> good = take(*it); !good)
+      return good;
+  }
+  if (error) {
+    const std::string inside = folder.lexically_relative(path_).string();
+    return failure(path_, fmt::format("the folder {}cannot be read: {}",
+                                      inside == "." ? "" : fmt::format("'{}' ", shown(inside)),
+                                      error.message()));
+  }
+  for (const fs::path& inner : folders)
+    if (Result<void> good = look_into(inner); !good) return good;
+  return {};
+}
+
+Result<void> FolderReader::take(const fs::directory_entry& entry) {
+  std::error_code error;
+  const fs::file_type type = entry.symlink_status(error).type();
+  const std::string name = entry.path().lexically_relative(path_).string();
+  if ((type != fs::file_type::regular && type != fs::file_type::symlink) || !is_picture(name))
+    return {};
+  if (pictures_.size() == kMostFiles) return too_many(path_);
+  SubmittedPicture picture{.file = name,
+                           .stage = stage_of_name(entry.path().filename().string()),
+                           .path = entry.path().string()};
+  if (type == fs::file_type::symlink) picture.problems = a_link(picture.path).value();
+  pictures_.push_back(std::move(picture));
+  return {};
 }
 
 /// The file at hand, at most kMostBytes of it, whatever the archive says about its size.
@@ -85,44 +137,84 @@ Result<std::string> read_entry(archive* from, const std::string& file) {
   }
 }
 
+/// Lets libarchive say names in UTF-8 on this thread: in the C locale, which a program starts with,
+/// it gives those that are not ASCII up.
+class Utf8Names {
+ public:
+  Utf8Names() {
+    for (const char* name : {"C.UTF-8", "en_US.UTF-8", "UTF-8"})
+      if (own_ == nullptr) own_ = ::newlocale(LC_CTYPE_MASK, name, nullptr);
+    if (own_ != nullptr) before_ = ::uselocale(own_);
+  }
+  ~Utf8Names() {
+    if (own_ == nullptr) return;
+    ::uselocale(before_);
+    ::freelocale(own_);
+  }
+  Utf8Names(const Utf8Names&) = delete;
+  Utf8Names& operator=(const Utf8Names&) = delete;
+
+ private:
+  locale_t own_ = nullptr, before_ = nullptr;
+};
+
 /// Everything stays in memory, so no name in an archive can lead anywhere; one that tries is
 /// refused all the same.
 Result<std::vector<SubmittedPicture>> from_archive(const std::string& path) {
+  const Utf8Names utf8_names;
   const std::unique_ptr<archive, int (*)(archive*)> from(archive_read_new(), archive_read_free);
   if (from == nullptr) throw std::bad_alloc();
   archive_read_support_format_zip(from.get());
+  const auto damaged = [&] { return failure(path, "the archive is damaged or no zip"); };
   if (archive_read_open_filename(from.get(), path.c_str(), std::size_t{1} << 16) != ARCHIVE_OK)
-    return failure(path, "the archive is damaged or no zip");
+    return damaged();
   std::vector<SubmittedPicture> pictures;
+  std::uint64_t bytes_in_all = 0;
   archive_entry* entry = nullptr;
-  for (int files = 0;; ++files) {
+  for (std::size_t files = 0;; ++files) {
     const int code = archive_read_next_header(from.get(), &entry);
     if (code == ARCHIVE_EOF) return pictures;
-    const char* pathname =
-        code == ARCHIVE_OK || code == ARCHIVE_WARN ? archive_entry_pathname(entry) : nullptr;
-    if (pathname == nullptr) return failure(path, "the archive is damaged or no zip");
-    if (files > 10000) return failure(path, "the archive holds more than 10000 files");
-    const std::string name = pathname;
+    // Names in old encodings come with a warning.
+    if (code != ARCHIVE_OK && code != ARCHIVE_WARN) return damaged();
+    if (files == kMostEntries)
+      return failure(path, fmt::format("the archive holds more than {} files", kMostEntries));
+    const char* pathname = archive_entry_pathname(entry);
+    const std::string name = pathname != nullptr ? pathname : kUnknownName;
     const fs::path inside(name);
     if (inside.is_absolute() || name.find('\\') != std::string::npos ||
         std::find(inside.begin(), inside.end(), "..") != inside.end())
       return failure(path,
                      fmt::format("the archive has a file outside of its folder: '{}'", shown(name)),
                      "pack the pictures anew, without paths");
-    if (archive_entry_filetype(entry) != AE_IFREG || is_hidden(inside) || !is_picture(name))
+    if (archive_entry_filetype(entry) != AE_IFREG || is_hidden(inside) ||
+        !(is_picture(name) || name == kUnknownName))
       continue;
     if (pictures.size() == kMostFiles) return too_many(path);
-    SubmittedPicture picture{name, stage_of_name(inside.filename().string()), {}, false};
+    SubmittedPicture picture{.file = name, .stage = stage_of_name(inside.filename().string())};
     if (picture.stage != kNoStage) {
-      const Result<std::string> bytes = read_entry(from.get(), name);
-      picture.image = bytes ? parse_image(*bytes, name, kMostPixels)
-                            : Result<ReadImage>(tl::make_unexpected(bytes.error()));
+      Result<std::string> bytes = read_entry(from.get(), name);
+      if (bytes)
+        picture.bytes = std::move(*bytes);
+      else
+        picture.problems = bytes.error();
     }
+    bytes_in_all += picture.bytes.size();
+    if (bytes_in_all > kMostBytesInAll)
+      return failure(path, fmt::format("its pictures unpack to more than {} MiB in all",
+                                       kMostBytesInAll >> 20));
     pictures.push_back(std::move(picture));
   }
 }
 
+bool is_archive(const std::string& file) {
+  return lower_case(fs::path(file).extension().string()) == ".zip";
+}
+
 }  // namespace
+
+bool is_handed_in(const std::string& file) {
+  return is_picture(file) || is_archive(file);
+}
 
 int stage_of_name(const std::string& file) {
   const std::string name = lower_case(fs::path(file).stem().string());
@@ -147,22 +239,23 @@ int stage_of_name(const std::string& file) {
   return stage > kNoStage ? 0 : stage;
 }
 
-Result<std::vector<SubmittedPicture>> read_submission(const std::string& path) {
+Result<std::vector<SubmittedPicture>> read_submission(const std::string& path, Links links) {
   std::error_code error;
+  fs::path named(path);
+  if (!named.has_filename()) named = named.parent_path();  // a link and a slash is its folder
+  if (links == Links::refuse && fs::is_symlink(named, error)) return a_link(path);
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) return failure(path, "there is no such file or folder");
   Result<std::vector<SubmittedPicture>> pictures;
   if (fs::is_directory(status)) {
-    pictures = from_folder(path);
+    pictures = FolderReader(path).read();
   } else if (!fs::is_regular_file(status)) {
     return failure(path, "it is neither a file nor a folder");
-  } else if (lower_case(fs::path(path).extension().string()) == ".zip") {
+  } else if (is_archive(path)) {
     pictures = from_archive(path);
   } else {
-    Result<ReadImage> image = read_image(path, kMostPixels);
-    if (!image) return tl::make_unexpected(image.error());
     const std::string file = fs::path(path).filename().string();
-    pictures->push_back({file, stage_of_name(file), std::move(image), true});
+    pictures->push_back({.file = file, .stage = stage_of_name(file), .path = path, .alone = true});
   }
   if (!pictures) return pictures;
   if (pictures->empty())
@@ -171,6 +264,35 @@ Result<std::vector<SubmittedPicture>> read_submission(const std::string& path) {
   std::sort(pictures->begin(), pictures->end(),
             [](const SubmittedPicture& a, const SubmittedPicture& b) { return a.file < b.file; });
   return pictures;
+}
+
+Result<ReadImage> read_picture(const SubmittedPicture& picture, const PictureKind& kind) {
+  if (!picture.problems.empty()) return tl::make_unexpected(picture.problems);
+  const auto read = [&](std::uint64_t most_pixels) -> Result<ReadImage> {
+    if (picture.path.empty()) return parse_image(picture.bytes, picture.file, most_pixels);
+    const Result<std::string> bytes = read_file(picture.path, kMostBytes);
+    if (!bytes) return tl::make_unexpected(bytes.error());
+    return parse_image(*bytes, picture.path, most_pixels);
+  };
+  const auto fitting = [&](ReadImage& image) {
+    Image& pixels = image.image;
+    if (image.floats) pixels = as_stored(pixels, kind.transfer, 8);
+    image.floats = false;
+    const std::uint32_t width = std::min(pixels.width, kMostScale * kind.width + kFrame),
+                        height = std::min(pixels.height, kMostScale * kind.height + kFrame);
+    if (width < pixels.width || height < pixels.height)
+      pixels = scaled_by_area(pixels, width, height);
+  };
+  Result<ReadImage> image = read(kLargePicture);
+  if (image) {
+    fitting(*image);
+    return image;
+  }
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  image = read(kMostPixels);
+  if (image) fitting(*image);
+  return image;
 }
 
 }  // namespace zraka

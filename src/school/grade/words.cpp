@@ -160,7 +160,7 @@ std::string grades_table(Language language, const std::vector<Grade>& grades) {
     text += fmt::format("{:<{}}  {:>5}/{}", shown(grade.name), width,
                         marks_text(language, grade.marks), marks_text(language, grade.of));
     if (!grade.problems.empty()) {
-      text += "  " + grade.problems.front().message + "\n";
+      text += "  " + shown_line(grade.problems.front().message) + "\n";
       continue;
     }
     std::set<Mistake> named;

@@ -77,6 +77,9 @@ struct ToldApart {
   Explanation right, mistaken;
 };
 
+/// May a submission be a link to where it lies? What is in a folder never may.
+enum class Links { follow, refuse };
+
 /// Marks submissions of one scene, from any number of threads. The scene must outlive it.
 class Grader {
  public:
@@ -87,7 +90,7 @@ class Grader {
 
   /// A picture, a folder of pictures, or a zip archive of pictures. A single picture is one of the
   /// stage that it is nearest to. Never fails: what is wrong stands in the grade.
-  Grade grade(const std::string& path) const;
+  Grade grade(const std::string& path, Links links = Links::follow) const;
 
   /// The picture of a stage as an 8 bit file has it, right or with a mistake.
   Image picture(int stage, Mistake mistake = Mistake::none) const;
