@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // count_rays SCENE: the rays that the Standard Procedural Databases' rules ask for, counted by
-// trying every shape in double, and what others count who differ in a rule (docs/performance.md).
+// trying every shape in double, and what others count who differ in a rule (docs/ray-counts.md).
 // Shares nothing with the engine but the scene.
 #include <fmt/format.h>
 

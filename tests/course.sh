@@ -118,7 +118,11 @@ outline() {
 title() {
   sed -n 's/^# //p' "$1" | head -n 1
 }
-# leads PAGES…: the chapters of $language, whose first and last line lead to the next, the previous, the contents, the other language.
+# paragraph: the first one of what comes in, as one line.
+paragraph() {
+  awk '!NF { exit } { printf "%s%s", space, $0; space = " " }'
+}
+# leads PAGES…: the chapters of $language, whose first and last paragraph lead to the next, the previous, the contents, the other language.
 leads() {
   local i way page other contents=README.md word=Contents name=Hrvatski
   [ "$language" = en ] || { contents=README.hr.md word=Sadržaj name=English; }
@@ -130,7 +134,8 @@ leads() {
     way+="[$word](../$contents) · "
     [ -z "${chapters[i + 1]:-}" ] || way+="[$(title "${chapters[i + 1]}") →]($(basename "${chapters[i + 1]}")) · "
     way+="[$name](../$(basename "$(dirname "$other")")/$(basename "$other"))"
-    [ "$(head -n 1 "$page")" = "$way" ] && [ "$(tail -n 1 "$page")" = "$way" ] || fail "$page: its first and last line are not: $way"
+    [ "$(paragraph <"$page")" = "$way" ] && [ "$(tac "$page" | sed '/^$/q' | tac | sed 1d | paragraph)" = "$way" ] ||
+      fail "$page: its first and last paragraph are not: $way"
     [[ $(basename "$page") = $i-* && $(title "$page") = "$i. "* ]] || fail "$page is not chapter $i"
     sed -n "$((i + 1))p" <(grep -oE '\[[0-9]+\. [^]]*\]\([^)]*\)' "$course/$contents") |
       grep -qxF "[$(title "$page")]($language/$(basename "$page"))" || fail "$course/$contents does not lead to $page"

@@ -23,15 +23,17 @@ exactly 1 "error: pixel (400, 399) is outside of the picture of 400×400 pixels
 expect 1 "pixel (4294967295, 0) is outside of the picture of 400×400 pixels" "$zraka" explain $scene 99999999999999999999 0
 expect 1 "pixel (30, 30) is outside of the picture of 20×20 pixels" "$zraka" explain $scene 30 30 --width 20
 expect 1 "cannot be read: No such file or directory" "$zraka" explain "$folder/nowhere.txt" 1 1
+exactly 1 "$folder/nowhere.txt: pogreška: ne može se pročitati: nema takve datoteke ni mape
+  jesu li ime i mapa točni?" "$zraka" explain "$folder/nowhere.txt" 1 1 --lang hr
 expect 1 "No space left on device" "$zraka" explain $scene 1 1 -o /dev/full
 expect 1 "does its folder exist?" "$zraka" explain $scene 1 1 -o "$folder/no/pixel.json"
 
 # The words, plain when piped; colours on a terminal unless NO_COLOR forbids.
 "$zraka" explain $scene 180 290 >"$folder/text" || fail "explain"
-[ "$(tail -n 1 "$folder/text")" = "Dark because the feeler to light 1 meets sphere 3 'staklo' at t = 0.396; only the ambient component remains." ] ||
+[ "$(tail -n 1 "$folder/text")" = "Dark because the shadow ray to light 1 hits sphere 3 'staklo' at t = 0.396; only the ambient component remains." ] ||
   fail "the last line is: $(tail -n 1 "$folder/text")"
 grep -q $'\x1b' "$folder/text" && fail "colours in a pipe"
-[ "$("$zraka" explain $scene 180 290 --lang hr | tail -n 1)" = "Tamno jer zraka za ispitivanje sjene prema svjetlu 1 pogađa kuglu 3 'staklo' na t = 0.396; ostaje samo ambijentna komponenta." ] ||
+[ "$("$zraka" explain $scene 180 290 --lang hr | tail -n 1)" = "Tamno jer zraka za ispitivanje sjene prema svjetlu 1 pogađa kuglu 3 'staklo' za t = 0,396; ostaje samo ambijentna komponenta." ] ||
   fail "the last line in Croatian"
 if script -qec true /dev/null </dev/null >/dev/null 2>&1; then  # needs pseudo-terminals
   on_terminal() { TERM=xterm script -qec "$*" /dev/null </dev/null; }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "explain/parts.hpp"
+#include "explain/roundest.hpp"
 #include "explain/sentence.hpp"
 #include "explain/text.hpp"
 #include "language.hpp"
@@ -43,11 +44,11 @@ TEST(Sentence, TellsOfShadow) {
   add_sphere(scene, {0, 1, 1}, 0.1, {});
   scene.names[{0, 1}] = "zelena";
   EXPECT_EQ(said(scene).english,
-            "Dark because the feeler to light 1 meets sphere 2 'zelena' at t = 1.31; only the "
+            "Dark because the shadow ray to light 1 hits sphere 2 'zelena' at t = 1.31; only the "
             "ambient component remains.");
   EXPECT_EQ(said(scene).croatian,
-            "Tamno jer zraka za ispitivanje sjene prema svjetlu 1 pogađa kuglu 2 'zelena' na t = "
-            "1.31; ostaje samo ambijentna komponenta.");
+            "Tamno jer zraka za ispitivanje sjene prema svjetlu 1 pogađa kuglu 2 'zelena' za t = "
+            "1,31; ostaje samo ambijentna komponenta.");
 }
 
 TEST(Sentence, TellsOfTheSideAwayFromTheLight) {
@@ -56,10 +57,16 @@ TEST(Sentence, TellsOfTheSideAwayFromTheLight) {
   EXPECT_EQ(
       said(scene).english,
       "Dark because the surface faces away from light 1; only the ambient component remains.");
+  EXPECT_EQ(said(scene).croatian,
+            "Tamno jer je ploha okrenuta od svjetla 1; ostaje samo ambijentna komponenta.");
   scene.lights.push_back(scene.lights[0]);
   EXPECT_EQ(said(scene).english,
             "Dark because the surface faces away from light 1 and the surface faces away from "
             "light 2; only the ambient component remains.");
+  EXPECT_EQ(
+      said(scene).croatian,
+      "Tamno jer je ploha okrenuta od svjetla 1 i ploha je okrenuta od svjetla 2; ostaje samo "
+      "ambijentna komponenta.");
   scene.lights.push_back(scene.lights[0]);
   EXPECT_EQ(said(scene).english,
             "Dark because none of the 3 lights reaches the point; only the ambient component "
@@ -77,11 +84,12 @@ TEST(Sentence, DoesNotSayOnlyWhereMoreRemains) {
   Scene scene = one_sphere(mirror);
   add_sphere(scene, {0, 1, 1}, 0.1, {});
   scene.background = {0.04, 0.04, 0.04};
-  EXPECT_EQ(said(scene).english,
-            "Dark because the feeler to light 1 meets sphere 2 at t = 1.31; 77 % of the colour is "
-            "the ambient component that remains, 23 % comes by the reflected ray.");
+  EXPECT_EQ(
+      said(scene).english,
+      "Dark because the shadow ray to light 1 hits sphere 2 at t = 1.31; 77 % of the colour is "
+      "the ambient component that remains, 23 % comes by the reflected ray.");
   EXPECT_EQ(said(scene).croatian,
-            "Tamno jer zraka za ispitivanje sjene prema svjetlu 1 pogađa kuglu 2 na t = 1.31; 77 % "
+            "Tamno jer zraka za ispitivanje sjene prema svjetlu 1 pogađa kuglu 2 za t = 1,31; 77 % "
             "boje je ambijentna komponenta koja ostaje, 23 % dolazi odbijenom zrakom.");
 }
 
@@ -111,17 +119,17 @@ TEST(Sentence, TellsOfHighlights) {
 TEST(Sentence, TellsOfNothing) {
   Scene scene = one_sphere(kMatt);
   EXPECT_EQ(said(scene, lab(), 0, 0).english,
-            "Black because the ray from the eye meets nothing and the background shows.");
+            "Black because the ray from the eye hits nothing and the background shows.");
   scene.background = {0.4, 0.5, 0.6};
   EXPECT_EQ(said(scene, lab(), 0, 0).english,
-            "The ray from the eye meets nothing and the background shows.");
+            "The ray from the eye hits nothing and the background shows.");
   EXPECT_EQ(said(scene, lab(), 0, 0).croatian, "Zraka iz oka ne pogađa ništa pa se vidi pozadina.");
   EXPECT_EQ(said(one_sphere(kBlack)).english, "Black because every term is 0.");
 }
 
 TEST(Sentence, TellsOfSilhouettes) {
   EXPECT_EQ(said(one_sphere(kMatt), lab(Stage::silhouette)).english,
-            "Bright: the ray from the eye meets sphere 1, and this stage shows silhouettes only.");
+            "Bright: the ray from the eye hits sphere 1, and this stage shows silhouettes only.");
   EXPECT_EQ(said(one_sphere(kMatt), lab(Stage::silhouette)).croatian,
             "Svijetlo: zraka iz oka pogađa kuglu 1, a ova faza prikazuje samo siluete.");
 }
@@ -149,7 +157,7 @@ TEST(Sentence, TellsWhatAMirrorShows) {
   scene.background = {0.8, 0.8, 0.8};
   EXPECT_EQ(said(scene).english,
             "100 % of the colour is the background, by the reflected ray of sphere 1.");
-  EXPECT_EQ(said(scene).croatian, "100 % boje je pozadina, preko odbijene zrake kugle 1.");
+  EXPECT_EQ(said(scene).croatian, "100 % boje dolazi od pozadine, preko odbijene zrake kugle 1.");
 }
 
 TEST(Sentence, TellsWhatGlassShowsAndWhatItLoses) {
@@ -166,9 +174,14 @@ TEST(Sentence, TellsWhatGlassShowsAndWhatItLoses) {
   EXPECT_EQ(said(scene, shallow).english,
             "Black because every term is 0. The depth of 1 cuts off the refracted ray of sphere 1 "
             "with its share k2 = 0.9.");
-  EXPECT_EQ(said(scene, shallow).croatian,
-            "Crno jer su svi članovi 0. Dubina 1 odsijeca lomljenu zraku kugle 1 s udjelom k2 = "
-            "0.9.");
+  EXPECT_EQ(
+      said(scene, shallow).croatian,
+      "Crno jer su svi članovi 0. Dubina 1 odsijeca refraktiranu zraku kugle 1 s udjelom k2 = "
+      "0,9.");
+  // Nor is a cut the cause where what lies beyond it is black, too.
+  scene.background = {};
+  EXPECT_EQ(said(scene, shallow).english, "Black because every term is 0.");
+  scene.background = {0.8, 0.8, 0.8};
   // A sphere that is thinner than what is around it, seen at 68 % of its radius.
   scene.camera = {{0.68, 0, 1000}, {0.68, 0, 999}, {1e-4, 0, 0}, {0, 1e-4, 0}};
   scene.materials[0].ior = 1.5;
@@ -176,7 +189,7 @@ TEST(Sentence, TellsWhatGlassShowsAndWhatItLoses) {
             "Black because every term is 0. Total internal reflection leaves the share k2 = 0.9 of "
             "sphere 1 black.");
   EXPECT_EQ(said(scene).croatian,
-            "Crno jer su svi članovi 0. Zbog totalne refleksije udio k2 = 0.9 kugle 1 ostaje crn.");
+            "Crno jer su svi članovi 0. Zbog totalne refleksije udio k2 = 0,9 kugle 1 ostaje crn.");
 }
 
 TEST(Sentence, TellsOfClamps) {
@@ -186,7 +199,7 @@ TEST(Sentence, TellsOfClamps) {
             "Bright: 67 % of the colour is the diffuse component of light 1 on sphere 1. What adds "
             "up to 1.5 is clamped to 1.");
   EXPECT_EQ(said(scene).croatian,
-            "Svijetlo: 67 % boje je difuzna komponenta svjetla 1 na kugli 1. Zbroj 1.5 ograničen "
+            "Svijetlo: 67 % boje je difuzna komponenta svjetla 1 na kugli 1. Zbroj 1,5 ograničen "
             "je na 1.");
 }
 
@@ -203,6 +216,31 @@ TEST(Sentence, TellsOfTheCornerThatGivesMost) {
   EXPECT_EQ(said(scene, options, 49, 49).croatian,
             "Od četiriju kutova najviše pridonosi donji desni kut. Scena nema nijedno svjetlo; "
             "ostaje samo ambijentna komponenta.");
+}
+
+TEST(Places, AreTheRoundestThatTheEnginesFloatsStandFor) {
+  EXPECT_EQ(roundest_within(-2.384e-8, 2.5e-8), 0);
+  EXPECT_EQ(roundest_within(0.3000000119, 1.5e-8), 0.3);
+  EXPECT_EQ(roundest_within(0.30000002, 1.5e-8), 0.30000002);
+  EXPECT_EQ(roundest_within(-1234567.0625, 0.07), -1234567);
+  EXPECT_EQ(roundest_within(0.1, 0), 0.1);
+  // A frame whose middle floats cannot hold.
+  Scene scene = one_sphere(kMatt);
+  scene.spheres[0].shape.center = {0.1, 0.7, -1};
+  scene.camera.eye = {0, 0.1, 2};
+  const ExplainedRay ray = explain(scene, lab(), 50, 50).value().trees[0].rays[0];
+  EXPECT_EQ(ray.origin, (Vec3{0, 0.1, 2}));
+}
+
+TEST(Text, HasDecimalCommasInCroatian) {
+  const std::string text =
+      to_text(explain(one_sphere({.refraction = 0.5, .ior = 0.8}), lab(), 40, 45).value(),
+              {.language = Language::croatian, .scene = "scena"});
+  EXPECT_NE(text.find("│ hvatište (0; 0; 2), smjer (-0,"), std::string::npos) << text;
+  EXPECT_NE(text.find("lom: b = n1/n2 = 0,8; cos α = U·N = 0,"), std::string::npos) << text;
+  const auto is_digit = [&](std::size_t i) { return text[i] >= '0' && text[i] <= '9'; };
+  for (std::size_t i = 1; i + 1 < text.size(); ++i)
+    EXPECT_FALSE(text[i] == '.' && is_digit(i - 1) && is_digit(i + 1)) << text.substr(i - 1, 9);
 }
 
 TEST(Parts, AddUpToTheColour) {
@@ -240,14 +278,14 @@ TEST(Sentence, IsTrueOfAnyPixel) {
           for (const Part& part : parts_of(e))
             EXPECT_TRUE(part.size() == 0 || (part.ray == 0 && part.source == Source::ambient));
         }
-        if (text.find("meets nothing") != std::string::npos) {
+        if (text.find("hits nothing") != std::string::npos) {
           EXPECT_FALSE(root.hit);
         }
         if (!from_child && text.find("faces away from light 1") != std::string::npos) {
           ++away;
           EXPECT_LT(root.hit->lights[0].l_n, 0);
         }
-        if (!from_child && text.find("feeler to light 1 meets") != std::string::npos) {
+        if (!from_child && text.find("shadow ray to light 1 hits") != std::string::npos) {
           EXPECT_EQ(root.hit->lights[0].reach, Reach::blocked);
         }
         if (text.starts_with("Dark") || text.starts_with("Black")) {
@@ -303,27 +341,27 @@ TEST(Text, ShowsEveryTerm) {
       R"(scene.txt, pixel (50, 50) of 100×100, profile of the lab, stage 7: refracted rays, depth 1
 ray from the eye
 │ from (0, 0, 2) in the direction (0, 0, -1)
-│ meets sphere 1 at t = 2, in the point (0, 0, 0)
+│ hits sphere 1 at t = 2, in the point (0, 0, 0)
 │ normal N = (0, 0, 1)
 │ ambient component: Ia·ka = (0.5, 0.5, 0.5)·(0.2, 0.4, 0.6) = (0.1, 0.2, 0.3)
 │ light 1: L = (0, 0, 1), distance 8, L·N = 1
-│   the feeler reaches the light
+│   the shadow ray reaches the light
 │   diffuse component: Ii·kd·(L·N) = (1, 1, 1)·(0.5, 0.5, 0.5)·1 = (0.5, 0.5, 0.5)
 │   specular component: Ii·ks·(R·V)ⁿ = (1, 1, 1)·(0.25, 0.25, 0.25)·1^2 = (0.25, 0.25, 0.25)
 │ local light: I = (0.85, 0.95, 1.05)
 │ refraction: b = n1/n2 = 0.8, cos α = U·N = 1, α = 0.00°
 │   D = 4·(b²·cos²α - b² + 1) = 4, a = (-2·b·cos α + √D)/2 = 0.2, β = 0.00°
 ├─ reflected ray, k1 = 0.5, weight in the pixel 0.5
-│  │ from (0, 0, 2.861e-06) in the direction (0, 0, 1)
-│  │ meets nothing
+│  │ from (0, 0, 2.9e-06) in the direction (0, 0, 1)
+│  │ hits nothing
 │  └ C = background = (0, 0, 0)
 ├─ refracted ray, k2 = 0.25, weight in the pixel 0.25
-│  │ from (0, 0, -2.861e-06) in the direction (0, 0, -1)
-│  │ meets sphere 1 at t = 2, in the point (0, 0, -2)
+│  │ from (0, 0, -2.86e-06) in the direction (0, 0, -1)
+│  │ hits sphere 1 at t = 2, in the point (0, 0, -2)
 │  │ normal N = (0, 0, 1), turned, for the ray comes from the inner or back side
 │  │ ambient component: Ia·ka = (0.5, 0.5, 0.5)·(0.2, 0.4, 0.6) = (0.1, 0.2, 0.3)
 │  │ light 1: L = (0, 0, 1), distance 10, L·N = 1
-│  │   shadow: the feeler meets sphere 1 at t = 2
+│  │   shadow: the shadow ray hits sphere 1 at t = 2
 │  │ local light: I = (0.1, 0.2, 0.3)
 │  │ no reflected ray: the depth of 1 is reached
 │  │ no refracted ray: the depth of 1 is reached

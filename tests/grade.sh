@@ -16,6 +16,10 @@ contains "$folder/out" "b is n2/n1 for n1/n2"
 contains "$folder/out" "there is no picture of this stage"
 "$zraka" grade $scene --width 48 "$class/wrong" --lang hr >"$folder/out" || fail "grade in Croatian"
 contains "$folder/out" "b je n2/n1 umjesto n1/n2"
+sed 's|radius => 0.95:|radius => o.5:|' $scene >"$folder/input.txt"
+expect 1 "input.txt:22:13: pogreška: 'o.5' nije broj: ovdje dolazi polumjer, kugla 2" \
+  "$zraka" grade "$folder/input.txt" "$class/wrong" --lang hr
+expect 1 "pogreška: nema takve datoteke ni mape" "$zraka" grade $scene "$folder/nobody" --lang hr
 "$zraka" grade $scene --width 48 "$class/right/7.png" --format json >"$folder/json" || fail "json"
 python3 -c 'import json, sys; g = json.load(open(sys.argv[1])); assert g["score"] == g["max_score"] == 1, g; assert g["tests"][0]["verdict"] == "right", g' \
   "$folder/json" || fail "the JSON is wrong"

@@ -178,6 +178,9 @@ TEST(Grade, SaysWhatIsWrongWithSubmissions) {
     return grade.problems.empty() ? std::string() : grade.problems.front().message;
   };
   EXPECT_EQ(problem(folder.file("nobody")), "there is no such file or folder");
+  EXPECT_NE(grade_text(Language::croatian, grader, grader.grade(folder.file("nobody")))
+                .find(": pogreška: nema takve datoteke ni mape\n"),
+            std::string::npos);
   EXPECT_EQ(problem(folder.path.string()), "there is no picture in it");
   std::ofstream(folder.file("a.zip")) << "no archive";
   EXPECT_EQ(problem(folder.file("a.zip")), "the archive is damaged or no zip");

@@ -124,6 +124,56 @@ TEST(Hierarchy, TakesTheFirstOfManyEqualShapes) {
   }
 }
 
+/// The shape that a ray hits at a distance of 1, through the hierarchy, in the list and by the
+/// oracle, in every instruction set.
+void expect_hit_at_one(const Scene& scene, const ProbeRay& ray, std::int32_t id) {
+  const Frozen frozen(scene);
+  const auto listed = freeze<float>(scene, profile_of(ProfileName::physical), frame_of(scene));
+  reorder_by_leaf(*listed, {});
+  const double scale = frozen.frame.scale;
+  const Vec3 origin = frozen.frame.point({ray.origin[0], ray.origin[1], ray.origin[2]});
+  ProbeRay framed = ray;
+  framed.origin[0] = origin.x, framed.origin[1] = origin.y, framed.origin[2] = origin.z;
+  for (const LanesProbe& probe : lanes_probes())
+    for (const FrozenScene<float>* floats : {&frozen.floats->scene, &listed->scene}) {
+      ProbeHit hit{};
+      probe.trace(floats, &frozen.doubles->scene, &framed, &hit, 1);
+      EXPECT_EQ(hit.id, id) << name_of(probe.isa)
+                            << (floats == &listed->scene ? ", in the list" : "");
+      EXPECT_EQ(hit.t, scale) << name_of(probe.isa) << ": the shapes no longer tie";
+    }
+}
+
+TEST(Hierarchy, GivesATieToTheShapeThatWasReadFirst) {
+  const ProbeRay down{{0, 1, 0}, {0, -1, 0}, 1e20};
+  const auto add_tiles = [](Scene& scene) {
+    for (int i = -8; i <= 8; ++i) {
+      const double x = 0.25 * i;
+      scene.triangles.push_back({{{x - 0.6, 0, -1}, {x + 0.6, 0, -1}, {x, 0, 1}}, 0});
+    }
+  };
+  Scene ground;
+  ground.materials = {{}};
+  ground.spheres = {{{{0, -64, 0}, 64}, 0}};
+  add_tiles(ground);
+  EXPECT_EQ(Frozen(ground).floats->scene.anchored_spheres.count, 1);
+  expect_hit_at_one(ground, down, 0);
+
+  Scene balls;
+  balls.materials = {{}};
+  balls.spheres = {{{{0, -1, 0}, 1}, 0}};
+  add_tiles(balls);
+  EXPECT_EQ(Frozen(balls).floats->scene.spheres.count, 1);
+  expect_hit_at_one(balls, down, 0);
+
+  Scene pipes;
+  pipes.materials = {{}};
+  add_tiles(pipes);
+  pipes.cones = {{{{-4, -1, 0}, 1, {4, -1, 0}, 1}, 0}};
+  EXPECT_EQ(Frozen(pipes).floats->scene.cylinders.count, 1);
+  expect_hit_at_one(pipes, down, 7);
+}
+
 TEST(Hierarchy, LetsChildrenOfAFloorOutOfItsBox) {
   // A mirror that is large beside the eye's distance from it.
   Scene scene = lab_scene(60);

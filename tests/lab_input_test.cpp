@@ -226,6 +226,32 @@ TEST(LabInput, WarnsOfCoefficientsThatTheSheetDoesNotHave) {
       "  ^\n");
 }
 
+TEST(LabInput, SaysItInCroatian) {
+  const auto croatian = [](const std::string& text) {
+    const Result<ReadScene> read = parse_scene(text, "f.txt");
+    std::string all;
+    for (const Diagnostic& d : read ? read->warnings : read.error())
+      all += to_string(d, Language::croatian);
+    return all;
+  };
+  EXPECT_EQ(croatian(kHead + "1:\n1,2,-3:wide:" + kSphere.substr(11)),
+            "f.txt:2:8: pogreška: 'wide' nije broj: ovdje dolazi polumjer, kugla 1\n"
+            "  1,2,-3:wide:0.6:0.8:0.1,0.2,0.3:0.4,0.5,0.6:0.7…\n"
+            "         ^\n");
+  EXPECT_EQ(croatian(kHead + "2:" + kSphere + ":\n4,5,6:"),
+            "f.txt:2:7: pogreška: datoteka prerano završava: nedostaje polumjer, kugla 2\n"
+            "  4,5,6:\n"
+            "        ^\n"
+            "  potpunih je kugala 1 od 2, a kugla 2 ima 3 od 17 vrijednosti\n");
+  EXPECT_EQ(croatian(kHead + "1:" + kSphere + ":\n7:8"),
+            "f.txt:2:1: upozorenje: preostalih vrijednosti iza posljednje kugle: 2 (broj kugala je "
+            "1)\n"
+            "  7:8\n"
+            "  ^\n"
+            "  je li broj kugala točan? vrijednost završava znakom ',' ili ':', pa decimalni zarez "
+            "(0,6) od jedne vrijednosti čini dvije: pišite 0.6\n");
+}
+
 TEST(LabInput, RefusesMoreThanThereIsRoomFor) {
   EXPECT_EQ(answer(kHead + "1000000000:" + kSphere),
             "f.txt:1:20: error: number of spheres is 1000000000, but the rest of the file has room "

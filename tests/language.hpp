@@ -35,7 +35,11 @@ inline std::string english_words_in(std::string_view text) {
       each_word(text_of(Language::english, static_cast<Word>(i)), [&](const std::string& word) {
         if (word.size() > 1) words.insert(word);
       });
-    for (const char* both : {"to", "no", "on", "do", "zraka", "javascript", "program", "srgb"})
+    for (const char* both :
+         {"to",    "no",  "on",  "do",      "zraka", "javascript", "program", "srgb",
+          "input", "txt", "png", "jpeg",    "gzip",  "utf",        "docs",    "nff",
+          "md",    "zip", "ppm", "pgm",     "pfm",   "exr",        "mib",     "kd",
+          "ka",    "ks",  "ni",  "openexr", "cmyk",  "width"})
       words.erase(both);
     return words;
   }();

@@ -205,7 +205,7 @@ TEST(Quiz, TellsWhatTheColourFollowsFrom) {
   const QuizQuestion& question = quiz.questions.front();
   const Explanation e = explain(scene, kLab, question.x, question.y).value();
   ASSERT_EQ(question.facts.size(), 4u);
-  EXPECT_EQ(question.facts[0].find("The ray from the eye meets sphere 1; there N = ("), 0u);
+  EXPECT_EQ(question.facts[0].find("The ray from the eye hits sphere 1; there N = ("), 0u);
   EXPECT_EQ(question.facts[1],
             "Ia = (0.5, 0.5, 0.5), ka = (0.2, 0.1, 0.1), kd = (0.5, 0.6, 0.7), ks = (0.4, 0.4, "
             "0.4), n = 10, k1 = 0, k2 = 0");

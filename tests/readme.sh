@@ -10,6 +10,7 @@ cp scenes/lab/input.txt "$folder/input.txt"
 lines=$(sed -n 's/^    \.\/run \([a-z][^#]*\).*/\1/p' README.md)
 [ "$(echo "$lines" | wc -l)" -ge 6 ] || { echo "README.md shows too few commands"; exit 1; }
 cd "$folder" || exit 1
+"$zraka" stages scenes/lab/input.txt -o pictures >words 2>&1 || { cat words; exit 1; }  # as ./run without arguments
 while read -r line; do
   # shellcheck disable=SC2086
   "$zraka" $line >words 2>&1 </dev/null

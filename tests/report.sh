@@ -17,6 +17,9 @@ exactly 1 "error: '12/..' has no letter for the archive's name
 exactly 1 "$folder/nowhere.txt: error: cannot be read: No such file or directory
   is the name right, and the folder?" \
   "$zraka" report "$folder/nowhere.txt" -o "$folder/x"
+exactly 1 "$folder/nowhere.txt: pogreška: ne može se pročitati: nema takve datoteke ni mape
+  jesu li ime i mapa točni?" \
+  "$zraka" report "$folder/nowhere.txt" -o "$folder/x" --lang hr
 [ -e "$folder/x" ] && fail "a folder without a report"
 echo text >"$folder/file"
 exactly 1 "$folder/file: error: cannot be made a folder: Not a directory" "$zraka" report $scene -o "$folder/file" --width 20
@@ -25,8 +28,8 @@ exactly 1 "$folder/file: error: cannot be made a folder: Not a directory" "$zrak
 # A report in Croatian, with its archive.
 "$zraka" report $scene -o "$folder/hr" --lang hr --author "Ana Šarić" --zip --width 60 >"$folder/words" || fail "no report"
 zip="$folder/hr/OVO-V3-Rezultati-AnaŠarić.zip"
-want="1-silueta.png 2-ambijentna.png razlika-1-2.png 3-difuzna.png razlika-2-3.png 4-zrcalna.png razlika-3-4.png 5-sjene.png \
-razlika-4-5.png 6-odbijene-zrake.png razlika-5-6.png 7-lomljene-zrake.png razlika-6-7.png 8-slovo.png slovo.txt izvjestaj.html"
+want="1-silueta.png 2-ambijentna.png razlika-1-2.png 3-difuzna.png razlika-2-3.png 4-spekularna.png razlika-3-4.png 5-sjene.png \
+razlika-4-5.png 6-odbijene-zrake.png razlika-5-6.png 7-refraktirane-zrake.png razlika-6-7.png 8-slovo.png slovo.txt izvjestaj.html"
 listed=$(python3 -m zipfile -l "$zip" | tail -n +2 | cut -d' ' -f1 | tr '\n' ' ')
 [ "$listed" = "$want " ] || fail "the archive has: $listed"
 python3 -m zipfile -t "$zip" | grep -q "Done testing" || fail "the archive is damaged"
@@ -40,7 +43,7 @@ done
 grep -q "Autor: Ana Šarić" "$folder/hr/izvjestaj.html" || fail "no author"
 
 # The stages are those of zraka render, the letter's scene is one.
-"$zraka" render $scene -o "$folder/7.png" --width 60 -q && cmp "$folder/7.png" "$folder/hr/7-lomljene-zrake.png" || fail "another picture"
+"$zraka" render $scene -o "$folder/7.png" --width 60 -q && cmp "$folder/7.png" "$folder/hr/7-refraktirane-zrake.png" || fail "another picture"
 "$zraka" render $scene -o "$folder/5.png" --stage shadows --width 60 -q && cmp "$folder/5.png" "$folder/hr/5-sjene.png" || fail "another stage"
 "$zraka" render "$folder/hr/slovo.txt" -o "$folder/8.png" -q && cmp "$folder/8.png" "$folder/hr/8-slovo.png" || fail "another letter"
 

@@ -211,8 +211,8 @@ TEST(Report, MentionsNothingThatDoesNotOccur) {
                 "highlights. ");
   EXPECT_EQ(
       said(Stage::shadows),
-      same + fmt::format("This takes {} feelers from points that face a light, to ask whether "
-                         "anything stands in the way; blocked: 0 (0.0 %). No feeler meets a "
+      same + fmt::format("This takes {} shadow rays from points that face a light, to ask whether "
+                         "anything stands in the way; blocked: 0 (0.0 %). No shadow ray hits a "
                          "shape on its way: every point that faces a light is lit by it. ",
                          facts.stages[4].rays.shadow));
   EXPECT_EQ(said(Stage::reflection), same +
@@ -228,7 +228,7 @@ TEST(Report, IsTrueOfScenesWithNextToNothing) {
   EXPECT_EQ(
       all_comments(Language::english, facts_of(scene, with(ProfileName::lab)), Stage::silhouette),
       "The picture takes 100 rays from the eye, one through each pixel. The scene has no "
-      "shapes. No ray from the eye meets a shape, so that the picture is nothing but "
+      "shapes. No ray from the eye hits a shape, so that the picture is nothing but "
       "background. ");
   scene.lights.clear();
   add_sphere(scene, {0, 0, -2}, 50, {.reflection = 0.5, .refraction = 0.5});
@@ -259,6 +259,17 @@ TEST(Report, IsCroatianInCroatian) {
       EXPECT_NE(page.find("<html lang=\"hr\">"), std::string::npos);
     }
   }
+}
+
+TEST(Report, SaysWhereThisProfileClamps) {
+  const auto says = [](ProfileName profile, const char* what) {
+    return page_of(tangled_scene(20), {Language::english, "", "", profile}).find(what) !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(says(ProfileName::lab, "At every level each channel of the sum is limited to 0…1"));
+  EXPECT_FALSE(says(ProfileName::lab, "At the end each channel"));
+  EXPECT_TRUE(says(ProfileName::physical, "At the end each channel is limited to 0…1"));
+  EXPECT_FALSE(says(ProfileName::physical, "At every level"));
 }
 
 TEST(Report, IsOneFileWithAllItsPictures) {

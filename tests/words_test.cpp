@@ -35,14 +35,14 @@ TEST(Words, HaveTheSamePlacesInAllLanguages) {
 TEST(Words, AreNotEnglishInCroatian) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(Word::count); ++i)
     EXPECT_EQ(english_words_in(text_of(Language::croatian, static_cast<Word>(i))), "");
-  EXPECT_EQ(english_words_in("zraka meets kuglu"), "meets ");
+  EXPECT_EQ(english_words_in("zraka hits kuglu"), "hits ");
 }
 
 TEST(Words, AreSaidWithValuesInTheirPlaces) {
   EXPECT_EQ(say(Language::english, Word::meets, "sphere 3", "1.5", "(0, 0, 1)"),
-            "meets sphere 3 at t = 1.5, in the point (0, 0, 1)");
+            "hits sphere 3 at t = 1.5, in the point (0, 0, 1)");
   EXPECT_EQ(say(Language::croatian, Word::meets, "kuglu 3", "1.5", "(0, 0, 1)"),
-            "pogađa kuglu 3 na t = 1.5, u točki (0, 0, 1)");
+            "pogađa kuglu 3 za t = 1.5, u točki (0, 0, 1)");
 }
 
 TEST(Words, BeginSentencesWithCapitals) {

@@ -78,6 +78,7 @@ Result<std::string> text_for(const Arguments& arguments, Scene& scene, const Ren
 }
 
 int run(const Arguments& arguments) {
+  speak(*language_named(arguments.language));
   Result<Scene> scene = arguments.load({arguments.output, arguments.rays});
   if (!scene) return fail(scene.error());
   RenderOptions options = arguments.options(*scene);

@@ -61,6 +61,7 @@ std::vector<std::string> files_in(const std::string& submission) {
 }
 
 int run(const Arguments& arguments) {
+  speak(*language_named(arguments.language));
   const Language language = *language_named(arguments.language);
   if (arguments.list) return list_mistakes(language);
   std::vector<std::string> inputs;

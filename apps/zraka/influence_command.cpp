@@ -109,6 +109,7 @@ void print_json(const NamedShape& shape, const Influence& influence) {
 }
 
 int run(const Arguments& arguments) {
+  speak(*language_named(arguments.language));
   const Result<Scene> scene = arguments.load({arguments.output});
   if (!scene) return fail(scene.error());
   std::string name;

@@ -102,6 +102,7 @@ Result<void> write(const Arguments& arguments, const Quiz& quiz, const QuizView&
 }
 
 int run(const Arguments& arguments) {
+  speak(*language_named(arguments.language));
   const Result<Scene> scene = arguments.load({arguments.output_name(), arguments.answers});
   if (!scene) return fail(scene.error());
   RenderOptions options = arguments.options(*scene);

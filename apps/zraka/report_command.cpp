@@ -80,6 +80,7 @@ Result<void> add_letter(Report& report, Language language, const std::string& te
 }
 
 int run(const Arguments& arguments) {
+  speak(*language_named(arguments.language));
   const Language language = *language_named(arguments.language);
   const std::string archive = archive_name(arguments.author);
   if (arguments.zip && archive.empty())

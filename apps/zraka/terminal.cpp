@@ -14,6 +14,7 @@
 
 #include "commands.hpp"
 #include "core/new_file.hpp"
+#include "core/phrase.hpp"
 #include "core/text.hpp"
 #include "progress.hpp"
 #include "render/isa.hpp"
@@ -27,6 +28,8 @@ void on_interrupt(int signal) {
   Progress::clear_line();
   ::_exit(kSignalled + signal);
 }
+
+Language language_of_problems = Language::english;  // of one process, whose user it is
 
 bool in_colour(int descriptor) {
   const char* no_color = std::getenv("NO_COLOR");
@@ -63,18 +66,19 @@ void catch_interrupts() {
   }
 }
 
+void speak(Language language) {
+  language_of_problems = language;
+}
+
 void show(const Diagnostics& diagnostics) {
   const bool colour = in_colour(STDERR_FILENO);
   for (const Diagnostic& d : diagnostics) {
-    std::string text = to_string(d);
+    std::string text = to_string(d, language_of_problems);
     if (colour) {
-      const char* word = d.severity == Severity::error     ? "error: "
-                         : d.severity == Severity::warning ? "warning: "
-                                                           : "note: ";
+      const std::string word = fmt::format("{}: ", text_of(language_of_problems, d.severity));
       const char* paint = d.severity == Severity::error ? "\x1b[1;31m" : "\x1b[1;33m";
       const std::size_t at = text.find(word);
-      if (at != std::string::npos)
-        text.insert(at + std::string(word).size(), "\x1b[0m").insert(at, paint);
+      if (at != std::string::npos) text.insert(at + word.size(), "\x1b[0m").insert(at, paint);
     }
     std::fputs(text.c_str(), stderr);
   }

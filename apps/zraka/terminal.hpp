@@ -20,6 +20,9 @@ void print_name(const std::string& name);
 /// as shells count, and no half file stays.
 void catch_interrupts();
 
+/// From here on problems are told in this language; English before.
+void speak(Language language);
+
 /// Diagnostics on standard error, errors and warnings in colour on a terminal.
 void show(const Diagnostics& diagnostics);
 

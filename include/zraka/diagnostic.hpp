@@ -11,6 +11,9 @@ namespace zraka {
 
 enum class Severity { note, warning, error };
 
+/// The languages in which people are spoken to.
+enum class Language { english, croatian };
+
 /// One problem, in words for people. A file of "" means that no file is concerned; line and column
 /// count from 1 (columns in characters, not bytes), and 0 means "the file as a whole".
 struct Diagnostic {
@@ -22,6 +25,16 @@ struct Diagnostic {
   std::string hint{};  ///< what to do about it; may be empty
   std::string
       excerpt{};  ///< the line of the file that is concerned, and a caret below it; may be empty
+  /// Message and hint in Croatian, for the problems that a student meets; else empty.
+  std::string croatian_message{}, croatian_hint{};
+
+  /// The message in a language, in English where there is no other.
+  const std::string& message_in(Language language) const {
+    return language == Language::croatian && !croatian_message.empty() ? croatian_message : message;
+  }
+  const std::string& hint_in(Language language) const {
+    return language == Language::croatian && !croatian_message.empty() ? croatian_hint : hint;
+  }
 };
 
 using Diagnostics = std::vector<Diagnostic>;
@@ -32,7 +45,7 @@ using Result = tl::expected<T, Diagnostics>;
 
 /// `file:line:column: error: message`, the excerpt and the hint on lines of their own. Safe on a
 /// terminal, whatever the file's name and text hold: controls are replaced.
-std::string to_string(const Diagnostic& diagnostic);
+std::string to_string(const Diagnostic& diagnostic, Language language = Language::english);
 
 /// A failed result with one error about a file as a whole (or about none, if `file` is empty).
 tl::unexpected<Diagnostics> failure(std::string file, std::string message, std::string hint = {});

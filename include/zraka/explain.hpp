@@ -70,10 +70,16 @@ enum class Absence {
   total   ///< total internal reflection
 };
 
+/// A missing ray of this weight in the pixel is worth a word.
+inline constexpr double kNotableWeight = 0.1;
+
 struct Child {
   float share = 0;  ///< k1 or k2 as the fold takes it; 0 if there is no ray
   int ray = -1;     ///< index in RayTree::rays; -1: none
   Absence absence = Absence::none;
+  /// What a ray that the depth cuts off would bring, followed two levels further; only where its
+  /// weight is notable.
+  std::optional<Float3> beyond{};
 };
 
 struct ExplainedHit {

@@ -2,6 +2,9 @@
 // Every ray against every shape: the acceleration structure of small scenes.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
+
 #include "accel/ray_lanes.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -14,18 +17,24 @@ ZRAKA_INLINE void nearest_of(const FrozenShapes<typename L::Real, Shape>& shapes
     F shape[ShapeTraits<Shape>::kHitReals];
     broadcast_shape<L>(shapes, i, shape);
     const F t = ShapeLanes<Shape, L>::intersect(shape, ray.origin, ray.direction);
-    const auto nearer =
-        both(t > F(0), t < ray.t);  // in the order of ids: of equals the first stays
+    const auto nearer = both(t > F(0), t < ray.t);
     ray.t = select(nearer, t, ray.t);
     ray.slot = select(nearer, typename L::I(shapes.first_slot + i), ray.slot);
   }
 }
 
-/// The nearest hit of each ray nearer than its t.
+#define ZRAKA_KIND_AS_READ(Type, plural) kind_as_read(kKindOf##Type),
+inline constexpr std::int32_t kKindsById[] = {ZRAKA_KINDS_BY_ID(ZRAKA_KIND_AS_READ)};
+#undef ZRAKA_KIND_AS_READ
+static_assert(std::size(kKindsById) == kKinds &&
+              std::is_sorted(std::begin(kKindsById), std::end(kKindsById)));
+
+/// The nearest hit of each ray nearer than its t. Shapes are asked in the order of their ids, so
+/// that of equal hits the one that was read first stays, as in the hierarchy.
 template <class L>
 ZRAKA_INLINE void nearest_in_list(const FrozenScene<typename L::Real>& scene, RayLanes<L>& ray) {
 #define ZRAKA_NEAREST(Type, plural) nearest_of<L>(scene.plural, ray);
-  ZRAKA_KINDS(ZRAKA_NEAREST)
+  ZRAKA_KINDS_BY_ID(ZRAKA_NEAREST)
 #undef ZRAKA_NEAREST
 }
 

@@ -15,11 +15,13 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/phrase.hpp"
+
 namespace zraka {
 namespace {
 
-std::string reason() {
-  return std::strerror(errno);
+Phrase reason() {
+  return reason_of(errno);
 }
 
 }  // namespace
@@ -32,17 +34,17 @@ Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
   const int descriptor = standard_input ? ::dup(STDIN_FILENO)
                                         : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0)
-    return failure(path, fmt::format("cannot be read: {}", reason()),
-                   errno == ENOENT ? "is the name right, and the folder?" : "");
+    return failure(path, phrase(Word::path_unreadable, reason()),
+                   errno == ENOENT ? phrase(Word::path_right) : Phrase{});
   struct stat status {};
   const bool known = ::fstat(descriptor, &status) == 0;
-  const auto refuse = [&](const std::string& message) {
+  const auto refuse = [&](const Phrase& message) {
     ::close(descriptor);
     return failure(path, message);
   };
-  if (known && S_ISDIR(status.st_mode)) return refuse("is a folder, not a file");
+  if (known && S_ISDIR(status.st_mode)) return refuse(phrase(Word::path_is_folder));
   if (!standard_input && known && !S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode))
-    return refuse("is no file that can be read: a device or a socket");
+    return refuse(phrase(Word::path_is_device));
   if (!known || !S_ISREG(status.st_mode)) limit = std::min(limit, kMostOfStream);
   if (!standard_input && known && S_ISFIFO(status.st_mode)) {
     // A writer may come late and be slow, but not for ever.
@@ -50,7 +52,7 @@ Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
     ::poll(&wanted, 1, 1000);
     ::fcntl(descriptor, F_SETFL, O_RDONLY);
   }
-  const auto too_large = [&] { return fmt::format("is too large: over {} bytes", limit); };
+  const auto too_large = [&] { return phrase(Word::path_too_large, limit); };
   if (known && S_ISREG(status.st_mode) && static_cast<std::uint64_t>(status.st_size) > limit)
     return refuse(too_large());
 
@@ -60,7 +62,7 @@ Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
   for (;;) {
     const ssize_t got = ::read(descriptor, buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return refuse(fmt::format("cannot be read: {}", reason()));
+    if (got < 0) return refuse(phrase(Word::path_unreadable, reason()));
     if (got == 0) break;
     text.append(buffer.data(), static_cast<std::size_t>(got));
     if (text.size() > limit) return refuse(too_large());
@@ -117,7 +119,7 @@ void FileText::pass(const char* at) const {
 Result<void> make_folder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (error) return failure(path, fmt::format("cannot be made a folder: {}", error.message()));
+  if (error) return failure(path, phrase(Word::path_no_folder, reason_of(error.value())));
   return {};
 }
 

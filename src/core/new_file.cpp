@@ -22,6 +22,7 @@
 #include <utility>
 #include <zraka/formats.hpp>
 
+#include "core/phrase.hpp"
 #include "core/text.hpp"
 
 namespace zraka {
@@ -97,8 +98,8 @@ int make_temporary(const std::string& name, mode_t mode, int& slot) {
   return descriptor;
 }
 
-std::string reason() {
-  return std::strerror(errno);
+Phrase reason() {
+  return reason_of(errno);
 }
 
 /// The file that a path means, through all links, whether it is there yet or not. Empty, and errno,
@@ -143,20 +144,20 @@ Result<NewFile> NewFile::create(const std::string& path) {
   NewFile file;
   file.name_ = path;
   const auto problem = [&] {
-    return failure(path, fmt::format("cannot be written: {}", reason()),
-                   errno == ENOENT ? "does its folder exist?" : "");
+    return failure(path, phrase(Word::path_unwritable, reason()),
+                   errno == ENOENT ? phrase(Word::path_folder_there) : Phrase{});
   };
   if (path == "-") {
     file.name_ = "standard output";
     file.stream_ = ::fdopen(::dup(STDOUT_FILENO), "wb");
     if (file.stream_ == nullptr)
-      return failure(file.name_, fmt::format("cannot be written: {}", reason()));
+      return failure(file.name_, phrase(Word::path_unwritable, reason()));
     return file;
   }
   struct stat old {};
   const bool exists = ::stat(path.c_str(), &old) == 0;
   if (!exists && errno != ENOENT) return problem();
-  if (exists && S_ISDIR(old.st_mode)) return failure(path, "cannot be written: it is a folder");
+  if (exists && S_ISDIR(old.st_mode)) return failure(path, phrase(Word::path_unwritable_folder));
   if (exists && S_ISREG(old.st_mode) && ::access(path.c_str(), W_OK) != 0) return problem();
   file.target_ = end_of_links(path);
   if (file.target_.empty()) return problem();
@@ -201,20 +202,20 @@ NewFile::~NewFile() {
 
 Result<void> NewFile::commit() {
   bool good = std::fflush(stream_) == 0 && std::ferror(stream_) == 0;
-  std::string problem = good ? "" : reason();
-  if (std::fclose(std::exchange(stream_, nullptr)) != 0 && good) good = false, problem = reason();
+  int problem = errno;
+  if (std::fclose(std::exchange(stream_, nullptr)) != 0 && good) good = false, problem = errno;
   if (good && !temporary_.empty()) {
     if (std::rename(temporary_.c_str(), target_.c_str()) == 0) {
       forget(std::exchange(incomplete_, -1));
       temporary_.clear();
     } else {
       good = false;
-      problem = reason();
+      problem = errno;
     }
   }
   if (good) return {};
   wait_if_ending();
-  return failure(name_, fmt::format("cannot be written: {}", problem));
+  return failure(name_, phrase(Word::path_unwritable, reason_of(problem)));
 }
 
 Result<void> check_outputs(const std::vector<std::string>& inputs,

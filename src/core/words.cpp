@@ -12,6 +12,7 @@ struct Entry {
 
 constexpr Entry kEntries[] = {
 #define ZRAKA_WORD(name, english, croatian) Entry{#name, english, croatian},
+#include "core/problems.def"
 #include "core/words.def"
 #undef ZRAKA_WORD
 };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the program says to people about their pictures, in their language. All texts stand in
-// words.def.
+// What the program says to people in their language. All texts stand in words.def and problems.def.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,10 +8,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <zraka/diagnostic.hpp>
 
 namespace zraka {
-
-enum class Language { english, croatian };
 
 /// "en" or "hr".
 std::optional<Language> language_named(std::string_view name);
@@ -20,13 +18,14 @@ std::string_view code_of(Language language);
 
 enum class Word : std::uint16_t {
 #define ZRAKA_WORD(name, english, croatian) name,
+#include "core/problems.def"
 #include "core/words.def"
 #undef ZRAKA_WORD
   count
 };
 
 std::string_view text_of(Language language, Word word);
-/// The name of a word in words.def.
+/// The name of a word in its list.
 std::string_view name_of(Word word);
 
 /// A text with its {0}, {1}… replaced.

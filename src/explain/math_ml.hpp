@@ -24,26 +24,24 @@ inline std::string indexed(std::string_view name, std::string_view index) {
 inline std::string operation(std::string_view sign) {
   return fmt::format("<mo>{}</mo>", sign);
 }
-inline std::string number(double v) {
-  const std::string text = short_number(v);
+inline std::string number(Language language, double v) {
+  const std::string text = short_number(language, v);
   return v < 0 ? fmt::format("<mrow><mo>−</mo><mn>{}</mn></mrow>", text.substr(1))
                : fmt::format("<mn>{}</mn>", text);
 }
-inline std::string number(float v) {
-  return number(static_cast<double>(v));
+inline std::string number(Language language, float v) {
+  return number(language, static_cast<double>(v));
 }
-/// Three numbers one below the other: a colour or a vector.
-inline std::string column(double a, double b, double c) {
+/// Three numbers one below the other: a colour or a vector. Its brackets are borders (page.css):
+/// not every system has a font whose brackets stretch.
+inline std::string column(Language language, const Vec3& v) {
   return fmt::format(
-      "<mrow><mo>(</mo><mtable><mtr><mtd>{}</mtd></mtr><mtr><mtd>{}</mtd></mtr>"
-      "<mtr><mtd>{}</mtd></mtr></mtable><mo>)</mo></mrow>",
-      number(a), number(b), number(c));
+      "<mtable><mtr><mtd>{}</mtd></mtr><mtr><mtd>{}</mtd></mtr><mtr><mtd>{}</mtd></mtr></mtable>",
+      number(language, v.x), number(language, v.y), number(language, v.z));
 }
-inline std::string column(const Float3& v) {
-  return column(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]));
-}
-inline std::string column(const Vec3& v) {
-  return column(v.x, v.y, v.z);
+inline std::string column(Language language, const Float3& v) {
+  return column(language, Vec3{static_cast<double>(v[0]), static_cast<double>(v[1]),
+                               static_cast<double>(v[2])});
 }
 inline std::string in_brackets(std::string_view inside) {
   return fmt::format("<mrow><mo>(</mo>{}<mo>)</mo></mrow>", inside);
@@ -67,6 +65,9 @@ inline std::string product(std::initializer_list<std::string> factors) {
     text += fmt::format("{}{}", text.empty() ? "" : "<mo>·</mo>", factor);
   return text;
 }
+
+/// Between the terms of a sum in steps(): the next term may stand on a line of its own.
+inline constexpr const char* kPlus = "</mrow></math><math><mo form=\"infix\">+</mo><mrow>";
 
 /// A formula in steps that may stand on lines of their own: a, = b, = c.
 inline std::string steps(std::initializer_list<std::string> sides) {

@@ -23,9 +23,6 @@ constexpr std::string_view kPageJs =
 #include "explain/page.js.inc"
     ;
 
-/// Longest side of the picture on the page.
-constexpr std::uint32_t kPictureSide = 560;
-
 /// A child that counts this much is unfolded at first.
 constexpr double kUnfolded = 0.05;
 
@@ -45,6 +42,23 @@ class Page {
   std::string label(const NamedShape& shape, Case form) const {
     return html_text(label_of(options_.language, shape, form));
   }
+  template <class Value>
+  std::string short_number(Value v) const {
+    return zraka::short_number(options_.language, v);
+  }
+  template <class Value>
+  std::string short_vector(const Value& v) const {
+    return zraka::short_vector(options_.language, v);
+  }
+  template <class Value>
+  std::string number(Value v) const {
+    return math::number(options_.language, v);
+  }
+  template <class Value>
+  std::string column(const Value& v) const {
+    return math::column(options_.language, v);
+  }
+  std::string degrees(double v) const { return decimal(options_.language, v, 2) + "°"; }
   template <class... Values>
   void put(fmt::format_string<Values...> text, Values&&... values) {
     fmt::format_to(std::back_inserter(out_), text, std::forward<Values>(values)...);
@@ -196,7 +210,6 @@ void Page::snell(std::size_t t, const ExplainedHit& hit) {
   using namespace math;
   const SnellTerms& s = *hit.snell;
   const Angles angles = angles_of(s);
-  const auto degrees = [](double v) { return fmt::format("{:.2f}°", v); };
   const std::string b = symbol("b"), b2 = power(b, "<mn>2</mn>"), cosine = "<mi>cos</mi><mi>α</mi>",
                     minus = operation("−");
   std::string text =
@@ -212,8 +225,8 @@ void Page::snell(std::size_t t, const ExplainedHit& hit) {
   if (s.total) {
     text += fmt::format("<p class=\"unlit\">{}", say(Word::total_reflection));
     if (angles.critical_deg)
-      text += fmt::format(" ({})",
-                          say(Word::critical_angle, fmt::format("{:.2f}", *angles.critical_deg)));
+      text += fmt::format(
+          " ({})", say(Word::critical_angle, decimal(options_.language, *angles.critical_deg, 2)));
     text += fmt::format("; {}</p>", say(after_total_reflection(e_)));
   } else if (s.a) {
     const ExplainedRay& refracted = e_.trees[t].rays[static_cast<std::size_t>(hit.refracted.ray)];
@@ -252,8 +265,8 @@ void Page::hit(std::size_t t, const ExplainedRay& ray) {
   for (std::size_t i = 0; i < hit.lights.size(); ++i) light(hit, i);
   std::string terms = column(hit.ambient);
   for (const LightTerms& at : hit.lights) {
-    if (at.diffuse) terms += operation("+") + column(*at.diffuse);
-    if (at.specular) terms += operation("+") + column(*at.specular);
+    if (at.diffuse) terms += kPlus + column(*at.diffuse);
+    if (at.specular) terms += kPlus + column(*at.specular);
   }
   row(say(Word::local_light),
       terms == column(hit.local) ? steps({symbol("I"), terms})
@@ -272,7 +285,7 @@ void Page::child(std::size_t t, const Child& child, bool reflected, const Explai
                     say(reflected ? Word::ray_reflected : Word::ray_refracted),
                     both ? math::indexed("k", "1") + "<mo>+</mo>" + math::indexed("k", "2")
                          : math::indexed("k", reflected ? "1" : "2"),
-                    math::number(child.share)));
+                    number(child.share)));
     return;
   }
   std::string why = reflected ? "k₁ = 0" : "k₂ = 0";
@@ -296,10 +309,10 @@ void Page::sum(std::size_t t, const ExplainedRay& ray) {
   std::string symbols = symbol("I"), numbers = column(hit.local);
   const auto add = [&](const Child& child, const std::string& share, const char* index) {
     if (child.ray < 0) return;
-    symbols += operation("+") + product({share, indexed("C", index)});
-    numbers += operation("+") +
-               product({number(child.share),
-                        column(e_.trees[t].rays[static_cast<std::size_t>(child.ray)].color)});
+    symbols += kPlus + product({share, indexed("C", index)});
+    numbers +=
+        kPlus + product({number(child.share),
+                         column(e_.trees[t].rays[static_cast<std::size_t>(child.ray)].color)});
   };
   const std::string k1 = indexed("k", "1"), k2 = indexed("k", "2");
   add(hit.reflected, hit.reflected.share == hit.k1 ? k1 : in_brackets(k1 + operation("+") + k2),
@@ -345,8 +358,7 @@ void Page::tree() {
     ray(t, 0, title);
   }
   if (e_.trees.size() > 1)
-    row(say(Word::mean_of_corners), math::steps({math::symbol("C"), math::column(e_.color)}),
-        "result");
+    row(say(Word::mean_of_corners), math::steps({math::symbol("C"), column(e_.color)}), "result");
   put("</section>\n");
 }
 
@@ -378,20 +390,6 @@ Result<std::string> Page::write() {
 Result<std::string> to_page(const Scene& scene, const Explanation& explanation,
                             const PagePictures& pictures, const PageOptions& options) {
   return Page(scene, explanation, pictures, options).write();
-}
-
-Result<Image> picture_for_page(Scene& scene, const RenderOptions& options) {
-  const Resolution own = scene.resolution;
-  const std::uint32_t longest = std::max(own.width, own.height);
-  const auto reduced = [&](std::uint32_t side) {
-    const std::uint64_t small = std::uint64_t{side} * kPictureSide / longest;
-    return longest <= kPictureSide ? side : std::max(1u, static_cast<std::uint32_t>(small));
-  };
-  scene.resolution = {reduced(own.width), reduced(own.height)};
-  Result<Rendering> rendering = render(scene, options);
-  scene.resolution = own;
-  if (!rendering) return tl::make_unexpected(rendering.error());
-  return std::move(rendering->image);
 }
 
 }  // namespace zraka

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/counted.hpp"
 #include "explain/names.hpp"
 #include "explain/parts.hpp"
 
 namespace zraka {
 namespace {
 
-/// A child that is missing is worth a word if it would have counted this much.
-constexpr double kNotable = 0.1;
+constexpr int kDark = 64, kBright = 217;  // of 255
 
 /// The parts of the tree that gives most, summed up by ray and by way.
 struct Shares {
@@ -87,7 +87,12 @@ class Speaker {
   const ExplainedRay& main_ray() const { return ray(s_.main.ray); }
 
   std::string percent(double share) const;
-  std::string why_unlit(const ExplainedHit& hit) const;
+  std::string shorter(double number) const {
+    return with_comma(lang_, fmt::format("{:.3g}", number));
+  }
+  std::string why_unlit(const ExplainedHit& hit, bool after_because) const;
+  int brightest_byte() const;
+  bool is_dark() const { return brightest_byte() < kDark; }
   std::string by_the_way() const;
   std::string of_root() const;
   std::string of_child() const;
@@ -106,8 +111,9 @@ std::string Speaker::percent(double share) const {
   return fmt::format("{:.0f}", 100 * share);
 }
 
-/// Why no light but the ambient one reaches a hit; "" if one does.
-std::string Speaker::why_unlit(const ExplainedHit& hit) const {
+/// Why no light but the ambient one reaches a hit; "" if one does. Croatian has another order of
+/// words after "because".
+std::string Speaker::why_unlit(const ExplainedHit& hit, bool after_because) const {
   if (!e_.terms.diffuse && !e_.terms.specular) return say(Word::say_stage_ambient);
   if (hit.lights.empty()) return say(Word::say_no_lights);
   for (const LightTerms& at : hit.lights)
@@ -116,10 +122,11 @@ std::string Speaker::why_unlit(const ExplainedHit& hit) const {
   std::string reasons;
   for (std::size_t i = 0; i < hit.lights.size(); ++i) {
     const LightTerms& at = hit.lights[i];
-    const std::string reason = at.blocker ? say(Word::say_blocked, light_number(i),
-                                                label(at.blocker->shape, Case::accusative),
-                                                fmt::format("{:.3g}", at.blocker->distance))
-                                          : say(Word::say_behind, light_number(i));
+    const std::string reason =
+        at.blocker ? say(Word::say_blocked, light_number(i),
+                         label(at.blocker->shape, Case::accusative), shorter(at.blocker->distance))
+                   : say(i == 0 && after_because ? Word::say_behind_because : Word::say_behind,
+                         light_number(i));
     reasons = reasons.empty() ? reason : say(Word::say_and, reasons, reason);
   }
   return reasons;
@@ -174,7 +181,7 @@ std::string Speaker::of_root() const {
     default:
       break;
   }
-  const std::string why = why_unlit(hit);
+  const std::string why = why_unlit(hit, is_dark());
   if (why.empty())
     return toned(say(Word::say_ambient_most, whole, label(hit.shape, Case::genitive)) + rest(),
                  false);
@@ -192,7 +199,7 @@ std::string Speaker::of_child() const {
       say(Word::say_from_shape, share, label(hit.shape, Case::genitive), by_the_way());
   std::string there;
   if (s_.main.source == Source::ambient) {
-    const std::string why = why_unlit(hit);
+    const std::string why = why_unlit(hit, false);
     there = why.empty() || !s_.ray_alone ? say(Word::say_there_ambient)
                                          : say(Word::say_there_only_ambient, why);
   } else {
@@ -203,11 +210,15 @@ std::string Speaker::of_child() const {
   return toned(say(Word::say_there, from, there), false);
 }
 
-std::string Speaker::toned(const std::string& clause, bool is_reason) const {
-  constexpr int kDark = 64, kBright = 217;  // of 255
+int Speaker::brightest_byte() const {
   int most = 0;
   for (const float c : ray(0).color)
     most = std::max(most, static_cast<int>(quantize(c, e_.profile.transfer, 8)));
+  return most;
+}
+
+std::string Speaker::toned(const std::string& clause, bool is_reason) const {
+  const int most = brightest_byte();
   if (most >= kDark && most < kBright) return clause;
   const std::string tone = say(most == 0      ? Word::tone_black
                                : most < kDark ? Word::tone_dark
@@ -221,10 +232,11 @@ std::string Speaker::notes() const {
   const ExplainedRay& root = ray(0);
   if (e_.profile.clamp_levels && root.hit) {
     const float most = std::max({root.hit->sum[0], root.hit->sum[1], root.hit->sum[2]});
-    if (most > 1) text += fmt::format(" {}", say(Word::say_clamped, fmt::format("{:.3g}", most)));
+    if (most > 1)
+      text += fmt::format(" {}", say(Word::say_clamped, shorter(static_cast<double>(most))));
   }
   struct Missing {
-    double weight = kNotable;
+    double weight = kNotableWeight;
     const ExplainedHit* hit = nullptr;
     Word word{};
     float share = 0;
@@ -233,20 +245,21 @@ std::string Speaker::notes() const {
     if (!r.hit) continue;
     const auto look = [&](const Child& child, float share, Absence why, Word word, Missing& most) {
       const double weight = std::fabs(r.weight * static_cast<double>(share));
-      if (child.absence == why && weight >= most.weight) most = {weight, &*r.hit, word, share};
+      const bool loses = why != Absence::depth || (child.beyond && *child.beyond != Float3{});
+      if (child.absence == why && loses && weight >= most.weight)
+        most = {weight, &*r.hit, word, share};
     };
     if (after_total_reflection(e_) == Word::total_black)
       look(r.hit->refracted, r.hit->k2, Absence::total, Word::say_total_black, black);
     look(r.hit->reflected, r.hit->k1, Absence::depth, Word::say_cut_reflected, cut);
     look(r.hit->refracted, r.hit->k2, Absence::depth, Word::say_cut_refracted, cut);
   }
-  const auto short_share = [](float share) { return fmt::format("{:.3g}", share); };
   if (black.hit != nullptr)
-    text += fmt::format(
-        " {}", say(black.word, short_share(black.share), label(black.hit->shape, Case::genitive)));
+    text += fmt::format(" {}", say(black.word, shorter(static_cast<double>(black.share)),
+                                   label(black.hit->shape, Case::genitive)));
   if (cut.hit != nullptr)
     text += fmt::format(" {}", say(cut.word, e_.max_depth, label(cut.hit->shape, Case::genitive),
-                                   short_share(cut.share)));
+                                   shorter(static_cast<double>(cut.share))));
   return text;
 }
 
@@ -255,7 +268,7 @@ std::string Speaker::sentences() const {
   if (s_.all > 0 || !main_ray().hit) {
     text = s_.main.ray == 0 ? of_root() : of_child();
   } else {
-    const std::string why = why_unlit(*main_ray().hit);
+    const std::string why = why_unlit(*main_ray().hit, false);
     const std::string zero = say(Word::say_all_zero);
     text = toned(why.empty() ? zero : say(Word::say_and, zero, why), true);
   }

@@ -27,6 +27,16 @@ class Writer {
   std::string label(const NamedShape& shape, Case form) const {
     return label_of(options_.language, shape, form);
   }
+  template <class Value>
+  std::string short_number(Value v) const {
+    return zraka::short_number(options_.language, v);
+  }
+  template <class Value>
+  std::string short_vector(const Value& v) const {
+    return zraka::short_vector(options_.language, v);
+  }
+  std::string degrees(double v) const { return decimal(options_.language, v, 2) + "°"; }
+  std::string_view between() const { return between_numbers(options_.language); }
   std::string in(Style style, const std::string& text) const;
   std::string swatch(const Float3& color) const;
 
@@ -64,9 +74,10 @@ std::string Writer::swatch(const Float3& color) const {
 void Writer::light(const ExplainedHit& hit, std::size_t i, const std::string& lead) {
   const LightTerms& at = hit.lights[i];
   const Float3& intensity = e_.lights[i].color;
-  const std::string way = fmt::format(
-      "{}: L = {}, {}, L·N = {}", say(Word::light, light_number(i)), short_vector(at.to_light),
-      say(Word::light_distance, short_number(at.distance)), short_number(at.l_n));
+  const std::string way =
+      fmt::format("{0}: L = {2}{1}{3}{1}L·N = {4}", say(Word::light, light_number(i)), between(),
+                  short_vector(at.to_light), say(Word::light_distance, short_number(at.distance)),
+                  short_number(at.l_n));
   line(lead, way);
   switch (at.reach) {
     case Reach::lit:
@@ -101,21 +112,22 @@ void Writer::light(const ExplainedHit& hit, std::size_t i, const std::string& le
 void Writer::snell(const ExplainedHit& hit, const std::string& lead) {
   const SnellTerms& s = *hit.snell;
   const Angles angles = angles_of(s);
-  line(lead, fmt::format("{}: b = n1/n2 = {}, cos α = U·N = {}, α = {:.2f}°", say(Word::refraction),
-                         short_number(s.ratio), short_number(s.cosine), angles.alpha_deg));
+  line(lead, fmt::format("{0}: b = n1/n2 = {2}{1}cos α = U·N = {3}{1}α = {4}",
+                         say(Word::refraction), between(), short_number(s.ratio),
+                         short_number(s.cosine), degrees(angles.alpha_deg)));
   const std::string d =
       fmt::format("  D = 4·(b²·cos²α - b² + 1) = {}", short_number(4 * s.quarter_d));
   if (s.total) {
     line(lead, d);
     std::string text = say(Word::total_reflection);
     if (angles.critical_deg)
-      text += fmt::format(" ({})",
-                          say(Word::critical_angle, fmt::format("{:.2f}", *angles.critical_deg)));
+      text += fmt::format(
+          " ({})", say(Word::critical_angle, decimal(options_.language, *angles.critical_deg, 2)));
     text += fmt::format("; {}", say(after_total_reflection(e_)));
     line(lead, fmt::format("  {}", in(Style::shadow, text)));
   } else if (s.a) {
-    line(lead, fmt::format("{}, a = (-2·b·cos α + √D)/2 = {}, β = {:.2f}°", d, short_number(*s.a),
-                           angles.beta_deg.value_or(0)));
+    line(lead, fmt::format("{0}{1}a = (-2·b·cos α + √D)/2 = {2}{1}β = {3}", d, between(),
+                           short_number(*s.a), degrees(angles.beta_deg.value_or(0))));
   }
 }
 

@@ -2,13 +2,12 @@
 // The list of scene formats, and how a file finds its own.
 #include "formats/formats.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <iterator>
 
 #include "core/file.hpp"
+#include "core/phrase.hpp"
 
 namespace zraka {
 namespace {
@@ -40,12 +39,10 @@ const Format* format_of(std::string_view text, std::string_view name) {
 Result<ReadScene> parse_text(std::string_view text, const std::string& name, const Passed& passed) {
   const Format* const format = format_of(text, name);
   if (format == nullptr)
-    return failure(name, "is of no format that can be read",
-                   "scenes are NFF (docs/nff.md) or the course's input.txt (docs/input-txt.md)");
-  Result<ReadScene> read =
-      text.size() <= format->largest
-          ? format->parse(text, name, passed)
-          : failure(name, fmt::format("is too large: over {} bytes", format->largest));
+    return failure(name, phrase(Word::path_no_format), phrase(Word::path_formats));
+  Result<ReadScene> read = text.size() <= format->largest
+                               ? format->parse(text, name, passed)
+                               : failure(name, phrase(Word::path_too_large, format->largest));
   if (read) read->scene.format = format->name;
   return read;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/phrase.hpp"
 #include "core/text.hpp"
 #include "formats/formats.hpp"
 #include "formats/lab_tokens.hpp"
@@ -17,9 +18,6 @@ namespace zraka {
 namespace {
 
 using lab::Token;
-
-constexpr const char* kDecimalComma =
-    "',' and ':' end a value, so a decimal comma (0,6) makes two values of one: write 0.6";
 
 bool is_no_text(char c) {
   return static_cast<unsigned char>(c) < 0x20 && (c < '\t' || c > '\r');
@@ -36,13 +34,12 @@ class Reader {
   Result<ReadScene> read();
 
  private:
-  Diagnostic problem(Severity severity, std::size_t position, std::string message,
-                     std::string hint = {});
-  void error(std::size_t position, std::string message, std::string hint = {});
-  void warn(std::size_t position, std::string message, std::string hint = {});
+  Diagnostic problem_at(std::size_t position, Severity severity, Phrase message, Phrase hint = {});
+  void error(std::size_t position, Phrase message, Phrase hint = {});
+  void warn(std::size_t position, Phrase message, Phrase hint = {});
   void report_strays();
 
-  std::string name_of_value() const;
+  Phrase name_of_value() const;
   bool next_value(double& value);
   void watch_labels(const Token& token);
   void read_head();
@@ -69,44 +66,40 @@ class Reader {
   std::optional<Diagnostic> suspect_;  ///< where a label has other values than it should
 };
 
-Diagnostic Reader::problem(Severity severity, std::size_t position, std::string message,
-                           std::string hint) {
+Diagnostic Reader::problem_at(std::size_t position, Severity severity, Phrase message,
+                              Phrase hint) {
+  Diagnostic found = problem(severity, name_, std::move(message), std::move(hint));
   const TextPosition place = places_.at(position);
-  return {severity,
-          name_,
-          place.line,
-          place.column,
-          std::move(message),
-          std::move(hint),
-          places_.excerpt(position)};
+  found.line = place.line;
+  found.column = place.column;
+  found.excerpt = places_.excerpt(position);
+  return found;
 }
-void Reader::error(std::size_t position, std::string message, std::string hint) {
-  errors_.push_back(problem(Severity::error, position, std::move(message), std::move(hint)));
+void Reader::error(std::size_t position, Phrase message, Phrase hint) {
+  errors_.push_back(problem_at(position, Severity::error, std::move(message), std::move(hint)));
 }
-void Reader::warn(std::size_t position, std::string message, std::string hint) {
-  if (warnings_.size() == kEnoughErrors)
-    message = "more warnings of this kind are left out", hint.clear();
+void Reader::warn(std::size_t position, Phrase message, Phrase hint) {
+  if (warnings_.size() == kEnoughErrors) message = phrase(Word::lab_enough_warnings), hint = {};
   if (warnings_.size() > kEnoughErrors) return;
-  warnings_.push_back(problem(Severity::warning, position, std::move(message), std::move(hint)));
+  warnings_.push_back(problem_at(position, Severity::warning, std::move(message), std::move(hint)));
 }
 
 /// "radius of sphere 3": the value that comes next.
-std::string Reader::name_of_value() const {
+Phrase Reader::name_of_value() const {
   if (sphere_ == 0) {
     const auto [field, i] = lab::field_at(lab::kHead, value_);
-    return field.names[i];
+    return phrase(field.names[i]);
   }
   const auto [field, i] = lab::field_at(lab::kSphere, value_);
-  return fmt::format("{} of sphere {}", field.names[i], sphere_);
+  return phrase(Word::lab_of_sphere, phrase(field.names[i]), sphere_);
 }
 
 void Reader::report_strays() {
   for (const lab::StrayBracket& stray : tokens_.strays) {
     if (stray.bracket == '>')
-      error(stray.position, fmt::format("stray '>' at {}: no '<' is open", name_of_value()));
+      error(stray.position, phrase(Word::lab_stray_bracket, name_of_value()));
     else
-      error(stray.position,
-            fmt::format("'<' is never closed: expected '>' and then {}", name_of_value()));
+      error(stray.position, phrase(Word::lab_open_bracket, name_of_value()));
   }
   tokens_.strays.clear();
 }
@@ -133,10 +126,11 @@ void Reader::watch_labels(const Token& token) {
   tokens_.strays.resize(strays);
   if (values == field.size || values > 2 * field.size || !on_one_line || !parse_number(token.text))
     return;
-  suspect_ = problem(Severity::note, token.position,
-                     fmt::format("{} value{} here, where {} has {}", values,
-                                 values == 1 ? " stands" : "s stand", name_of_value(), field.size),
-                     values > field.size ? kDecimalComma : "what follows is out of step");
+  suspect_ =
+      problem_at(token.position, Severity::note,
+                 phrase(values == 1 ? Word::lab_one_here : Word::lab_several_here, values,
+                        name_of_value(), field.size),
+                 phrase(values > field.size ? Word::lab_decimal_comma : Word::lab_out_of_step));
 }
 
 /// The next value; 0, with an error, where there is something else. False at the end of the file.
@@ -149,18 +143,17 @@ bool Reader::next_value(double& value) {
   position_ = token.position;
   if (errors_.size() >= kEnoughErrors) {
     ended_ = true;
-    error(token.position, "too many problems; the rest of the file is not read");
+    error(token.position, phrase(Word::lab_enough_errors));
     return false;
   }
   if (!more) {
     ended_ = true;
     if (!unclosed && (sphere_ == 0 || count_known_)) {
-      std::string hint;
+      Phrase hint;
       if (sphere_ > 0)
-        hint = fmt::format(
-            "{} of {} spheres are complete, and {} of the {} values of sphere {} are there",
-            sphere_ - 1, announced_, value_, +lab::kSphereValues, sphere_);
-      error(token.position, fmt::format("the file ends: expected {}", name_of_value()), hint);
+        hint = phrase(Word::lab_complete, sphere_ - 1, announced_, value_, +lab::kSphereValues,
+                      sphere_);
+      error(token.position, phrase(Word::lab_ends, name_of_value()), hint);
     }
     return false;
   }
@@ -168,15 +161,13 @@ bool Reader::next_value(double& value) {
   const std::string_view text = token.text;
   const std::optional<double> number = parse_number(text);
   if (text.empty()) {
-    error(token.position,
-          fmt::format("nothing stands before the separator: expected {}", name_of_value()));
+    error(token.position, phrase(Word::lab_nothing_there, name_of_value()));
   } else if (number && std::isfinite(*number)) {
     value = *number;
     ++value_;
     return true;
   } else if (number) {
-    error(token.position,
-          fmt::format("'{}' is too large: expected {}", shown(text), name_of_value()));
+    error(token.position, phrase(Word::lab_too_large, shown(text), name_of_value()));
   } else {
     const std::size_t space = text.find_first_of(" \t\r\n");
     std::string lower(text);
@@ -186,16 +177,12 @@ bool Reader::next_value(double& value) {
                                       ? std::string_view(lower).substr(1)
                                       : std::string_view(lower);
     if (bare == "nan" || bare == "inf" || bare == "infinity")
-      error(token.position,
-            fmt::format("'{}' is not finite: expected {}", shown(text), name_of_value()));
+      error(token.position, phrase(Word::lab_not_finite, shown(text), name_of_value()));
     else if (space != std::string_view::npos && parse_number(text.substr(0, space)))
-      error(
-          token.position,
-          fmt::format("'{}' has more after the number: expected {}", shown(text), name_of_value()),
-          "only ',' or ':' ends a value; a space or a new line does not");
+      error(token.position, phrase(Word::lab_more_there, shown(text), name_of_value()),
+            phrase(Word::lab_separators));
     else
-      error(token.position,
-            fmt::format("'{}' is not a number: expected {}", shown(text), name_of_value()));
+      error(token.position, phrase(Word::lab_no_number, shown(text), name_of_value()));
   }
   value = std::numeric_limits<double>::quiet_NaN();  // already reported
   ++value_;
@@ -206,16 +193,13 @@ void Reader::read_count(double value) {
   count_known_ = false;
   if (std::isnan(value)) return;
   if (value < 0 || value != std::floor(value)) {
-    error(position_,
-          fmt::format("number of spheres is {}: expected a whole number, 0 or more", value));
+    error(position_, phrase(Word::lab_bad_count, value));
     return;
   }
   // 17 values and their separators take 34 bytes; the last separator may be missing.
   const std::size_t room = (text_.size() - tokens_.position() + 1) / (2 * lab::kSphereValues);
   if (value > static_cast<double>(room)) {
-    error(position_,
-          fmt::format("number of spheres is {}, but the rest of the file has room for {} at most",
-                      value, room));
+    error(position_, phrase(Word::lab_no_room, value, room));
     return;
   }
   announced_ = static_cast<std::uint64_t>(value);
@@ -227,19 +211,15 @@ void Reader::read_head() {
   for (double& value : v) {
     const std::size_t place = value_;
     if (!next_value(value)) return;
-    if (place == lab::kSize && value <= 0)
-      error(position_,
-            fmt::format("size of the window is {}: expected a number greater than 0", value));
+    if (place == lab::kSize && value <= 0) error(position_, phrase(Word::lab_bad_size, value));
     if (place == lab::kResolution && !std::isnan(value)) {
       if (value < 1 || value != std::floor(value))
-        error(position_,
-              fmt::format("resolution of the window is {}: expected a whole number, 1 or more",
-                          value));
+        error(position_, phrase(Word::lab_bad_resolution, value));
       else if (value * value > static_cast<double>(kMaxPixels))
         error(position_,
-              fmt::format("resolution of the window is {}: expected {} at most", value,
-                          std::floor(std::sqrt(static_cast<double>(kMaxPixels)))),
-              "larger pictures do not fit");
+              phrase(Word::lab_large_resolution, value,
+                     std::floor(std::sqrt(static_cast<double>(kMaxPixels)))),
+              phrase(Word::lab_larger));
     }
     if (place == lab::kCount) read_count(value);
   }
@@ -282,23 +262,18 @@ bool Reader::read_sphere() {
     if (!next_value(value)) return false;
     if (place == lab::kCenter) take_name(before, position_);
     if (place == lab::kRadius && value <= 0)
-      error(position_, fmt::format("radius of sphere {} is {}: expected a number greater than 0",
-                                   sphere_, value));
+      error(position_, phrase(Word::lab_bad_radius, sphere_, value));
     // Shares and coefficients; real files break the rule, mostly with ks, so that is no error.
     if (place >= lab::kK1 && place < lab::kN && (value < 0 || value > 1) && !over_one_said) {
       over_one_said = true;
       --value_;
-      warn(position_, fmt::format("{} is {}: the sheet has 0 to 1", name_of_value(), value));
+      warn(position_, phrase(Word::lab_out_of_range, name_of_value(), value));
       ++value_;
     }
   }
   if (v[lab::kK2] != 0 && v[lab::kNi] <= 0)
-    warn(position_,
-         fmt::format("ni (refraction factor) of sphere {} is {}: no ray is refracted by that",
-                     sphere_, v[lab::kNi]));
-  if (v[lab::kN] < 0)
-    warn(position_, fmt::format("n (shininess) of sphere {} is {}: a highlight needs 0 or more",
-                                sphere_, v[lab::kN]));
+    warn(position_, phrase(Word::lab_bad_ni, sphere_, v[lab::kNi]));
+  if (v[lab::kN] < 0) warn(position_, phrase(Word::lab_bad_n, sphere_, v[lab::kN]));
   if (!errors_.empty()) return true;
   const auto color = [&](std::size_t at) { return Color{v[at], v[at + 1], v[at + 2]}; };
   scene_.spheres.push_back(
@@ -325,36 +300,31 @@ void Reader::check_rest() {
   }
   tokens_.strays.resize(strays);
   if (extra == 0) return;
-  const std::string message =
-      fmt::format("{} value{} left over after the last of {} sphere{}", extra,
-                  extra == 1 ? " is" : "s are", announced_, announced_ == 1 ? "" : "s");
+  const Phrase message = phrase(
+      Word::lab_left_over, phrase(extra == 1 ? Word::lab_value_is : Word::lab_values_are, extra),
+      phrase(announced_ == 1 ? Word::lab_one_sphere : Word::lab_spheres, announced_));
   if (!suspect_)
-    warn(first, message, fmt::format("is the number of spheres right? {}", kDecimalComma));
+    warn(first, message, phrase(Word::lab_count_right, phrase(Word::lab_decimal_comma)));
   else
-    error(first, message, "a value too many stands before");
+    error(first, message, phrase(Word::lab_one_too_many));
 }
 
 /// Whether the file can be text at all; one clear answer is better than thousands.
 bool Reader::check_is_text() {
   if (text_.empty()) {
-    errors_.push_back(
-        {Severity::error, name_, 0, 0, "the file is empty: expected x of the eye", {}, {}});
+    errors_.push_back(problem(Severity::error, name_, phrase(Word::lab_empty, name_of_value())));
     return false;
   }
   const auto binary = std::find_if(text_.begin(), text_.end(), is_no_text);
   if (binary == text_.end()) return true;
   const bool utf16 = text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF");
   const bool gzip = text_.starts_with("\x1F\x8B");
-  errors_.push_back({Severity::error,
-                     name_,
-                     0,
-                     0,
-                     fmt::format("the file is not text: byte {} is 0x{:02x}",
-                                 binary - text_.begin() + 1, static_cast<unsigned char>(*binary)),
-                     utf16  ? "it looks like UTF-16: save it as UTF-8"
-                     : gzip ? "it looks like a file packed by gzip: unpack it first"
-                            : "expected the course's input.txt format",
-                     {}});
+  errors_.push_back(problem(Severity::error, name_,
+                            phrase(Word::lab_no_text, binary - text_.begin() + 1,
+                                   fmt::format("{:02x}", static_cast<unsigned char>(*binary))),
+                            phrase(utf16  ? Word::lab_utf16
+                                   : gzip ? Word::lab_gzip
+                                          : Word::lab_format)));
   return false;
 }
 

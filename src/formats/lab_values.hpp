@@ -5,33 +5,35 @@
 
 #include <array>
 #include <cstddef>
-#include <string>
+#include <utility>
+
+#include "core/words.hpp"
 
 namespace zraka::lab {
 
 /// A run of values that stands behind one label in the course's file.
 struct Field {
-  const char* names[3];  ///< of each value
+  Word names[3];  ///< of each value
   std::size_t size;
 };
 
 inline constexpr std::array kHead = {
-    Field{{"x of the eye", "y of the eye", "z of the eye"}, 3},
-    Field{{"size of the window"}, 1},
-    Field{{"resolution of the window"}, 1},
-    Field{{"x of the light", "y of the light", "z of the light"}, 3},
-    Field{{"number of spheres"}, 1},
+    Field{{Word::lab_eye_x, Word::lab_eye_y, Word::lab_eye_z}, 3},
+    Field{{Word::lab_size}, 1},
+    Field{{Word::lab_resolution}, 1},
+    Field{{Word::lab_light_x, Word::lab_light_y, Word::lab_light_z}, 3},
+    Field{{Word::lab_count}, 1},
 };
 inline constexpr std::array kSphere = {
-    Field{{"x of the centre", "y of the centre", "z of the centre"}, 3},
-    Field{{"radius"}, 1},
-    Field{{"k1 (share of the reflected ray)"}, 1},
-    Field{{"k2 (share of the refracted ray)"}, 1},
-    Field{{"red of ka", "green of ka", "blue of ka"}, 3},
-    Field{{"red of kd", "green of kd", "blue of kd"}, 3},
-    Field{{"red of ks", "green of ks", "blue of ks"}, 3},
-    Field{{"n (shininess)"}, 1},
-    Field{{"ni (refraction factor)"}, 1},
+    Field{{Word::lab_center_x, Word::lab_center_y, Word::lab_center_z}, 3},
+    Field{{Word::lab_radius}, 1},
+    Field{{Word::lab_k1}, 1},
+    Field{{Word::lab_k2}, 1},
+    Field{{Word::lab_ka_red, Word::lab_ka_green, Word::lab_ka_blue}, 3},
+    Field{{Word::lab_kd_red, Word::lab_kd_green, Word::lab_kd_blue}, 3},
+    Field{{Word::lab_ks_red, Word::lab_ks_green, Word::lab_ks_blue}, 3},
+    Field{{Word::lab_n}, 1},
+    Field{{Word::lab_ni}, 1},
 };
 
 /// TextPositions of values among those of the head.

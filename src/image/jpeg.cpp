@@ -13,6 +13,7 @@
 #include <csetjmp>
 #include <vector>
 
+#include "core/phrase.hpp"
 #include "image/readers.hpp"
 
 namespace zraka {
@@ -83,14 +84,13 @@ bool read_rows(jpeg_decompress_struct& jpeg, Errors& errors, unsigned char* row,
 
 Result<ReadImage> read(jpeg_decompress_struct& jpeg, Errors& errors, const ImageFile& file) {
   const auto problem = [&] {
-    return failure(file.name, fmt::format("is no JPEG that can be read: {}", errors.text.data()));
+    return failure(file.name, phrase(Word::image_no_jpeg, errors.text.data()));
   };
   if (!read_header(jpeg, errors, file.bytes)) return problem();
   if (const Result<void> fits = file.check_size(jpeg.image_width, jpeg.image_height); !fits)
     return tl::make_unexpected(fits.error());
   if (jpeg.jpeg_color_space == JCS_CMYK || jpeg.jpeg_color_space == JCS_YCCK)
-    return failure(file.name, "is a JPEG for printing, with four inks (CMYK)",
-                   "save it with red, green and blue");
+    return failure(file.name, phrase(Word::image_cmyk), phrase(Word::image_rgb));
   jpeg_progress_mgr progress{};
   progress.progress_monitor = on_progress;
   jpeg.progress = &progress;

@@ -14,6 +14,7 @@
 #include <zraka/image.hpp>
 
 #include "core/new_file.hpp"
+#include "core/phrase.hpp"
 #include "image/deflate.hpp"
 #include "image/quantize.hpp"
 #include "image/readers.hpp"
@@ -201,7 +202,7 @@ class PngReader {
 
 Result<ReadImage> PngReader::read(const ImageFile& file) {
   const auto problem = [&] {
-    return failure(file.name, fmt::format("is no PNG that can be read: {}", message_.text));
+    return failure(file.name, phrase(Word::image_no_png, message_.text));
   };
   if (info_ == nullptr) return failure(file.name, "cannot be read: not enough memory");
   Source source{file.bytes.data(), file.bytes.size()};
@@ -211,8 +212,8 @@ Result<ReadImage> PngReader::read(const ImageFile& file) {
     return tl::make_unexpected(fits.error());
   // Deflate makes at most 1032 bytes of one.
   if (std::uint64_t{header.stored_row_bytes} * header.height / 1032 > file.bytes.size())
-    return failure(file.name, fmt::format("is cut off: {} bytes cannot hold {}×{} pixels",
-                                          file.bytes.size(), header.width, header.height));
+    return failure(file.name,
+                   phrase(Word::image_cut_off, file.bytes.size(), header.width, header.height));
   ReadImage read;
   read.format = "PNG";
   if (!start_rows(png_, info_, read.bits)) return problem();
@@ -229,7 +230,7 @@ Result<void> write_png(const Image& image, const std::string& path, const PngOpt
   Result<NewFile> file = NewFile::create(path);
   if (!file) return tl::make_unexpected(file.error());
   const std::string problem = write_to(file->stream(), image, options);
-  if (!problem.empty()) return failure(file->name(), fmt::format("cannot be written: {}", problem));
+  if (!problem.empty()) return failure(file->name(), phrase(Word::path_unwritable, problem));
   return file->commit();
 }
 

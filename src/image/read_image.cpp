@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of picture formats, and how a file finds its own.
-#include <fmt/format.h>
-
 #include <array>
 #include <zraka/image.hpp>
 
 #include "core/file.hpp"
+#include "core/phrase.hpp"
 #include "image/readers.hpp"
 
 namespace zraka {
@@ -46,30 +45,33 @@ constexpr std::array kOtherFormats = {
     OtherFormat{"P7", "a PAM"},
 };
 
-constexpr const char* kReadable = "PNG, JPEG, PPM, PGM, PFM and OpenEXR can be read";
+/// Croatian has no articles.
+std::string without_article(std::string_view name) {
+  return std::string(name.substr(name.find(' ') + 1));
+}
 
 }  // namespace
 
 Result<void> ImageFile::check_size(std::uint64_t width, std::uint64_t height) const {
-  if (width == 0 || height == 0)
-    return failure(name, fmt::format("has no pixels: {}×{}", width, height));
+  if (width == 0 || height == 0) return failure(name, phrase(Word::image_no_pixels, width, height));
   // Each side first, so that their product cannot run over.
   if (width > max_pixels || height > max_pixels || width * height > max_pixels)
-    return failure(name, fmt::format("is too large: {}×{} pixels, where at most {} in all are read",
-                                     width, height, max_pixels));
+    return failure(name, phrase(Word::image_too_large, width, height, max_pixels));
   return {};
 }
 
 Result<ReadImage> parse_image(std::string_view bytes, const std::string& name,
                               std::uint64_t max_pixels) {
-  if (bytes.empty()) return failure(name, "the file is empty");
+  if (bytes.empty()) return failure(name, phrase(Word::image_empty));
   for (const ImageFormat& format : kImageFormats)
     if (bytes.starts_with(format.start)) return format.parse({bytes, name, max_pixels});
   for (const OtherFormat& other : kOtherFormats)
     if (bytes.starts_with(other.start))
-      return failure(name, fmt::format("is {}, which cannot be read here", other.name),
-                     fmt::format("save it as PNG; {}", kReadable));
-  return failure(name, "is no picture of a known kind", kReadable);
+      return failure(
+          name,
+          phrase(Word::image_other, Phrase{std::string(other.name), without_article(other.name)}),
+          phrase(Word::image_save_as, phrase(Word::image_readable)));
+  return failure(name, phrase(Word::image_unknown), phrase(Word::image_readable));
 }
 
 Result<ReadImage> read_image(const std::string& path, std::uint64_t max_pixels) {

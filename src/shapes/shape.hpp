@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every shape's file provides. To add a shape: its struct and its line in
-// include/zraka/shapes.hpp, a file like sphere.hpp here, and its include in shapes.hpp beside this
-// one.
+// What every shape's file provides (HACKING.md says how to add one).
 #pragma once
 
 #include "math/box.hpp"
@@ -29,18 +27,17 @@ namespace ZRAKA_ISA {
 
 /// Specialised by each shape, over lanes L, with
 ///   intersect(s, origin, direction)        distance along a unit direction to the nearest
-///   intersection in front of
-///                                          the origin; 0 or less, or NaN, where there is none
-///   surface(s, point)                 the point moved onto the surface, its outward unit normal,
-///   error bound
-/// where s are the shape's numbers, all or the first kHitReals: one shape for all lanes, or a shape
-/// for each.
+///                                          intersection in front of the origin; 0 or less, or
+///                                          NaN, where there is none
+///   surface(s, origin, direction, point)   the SurfacePoint of a hit that intersect() found there
+/// where s are the shape's numbers, the first kHitReals for intersect() and all of them for
+/// surface(): one shape for all lanes, or a shape for each.
 template <class Shape, class L>
 struct ShapeLanes;
 
 /// How far beyond a shape's exact surface its arithmetic may put a hit: a third of what the boxes
-/// of the hierarchy are enlarged by (refer_to() in scene/freeze.cpp), for rays from the eye as
-/// for those from within the scene.
+/// of the hierarchy are enlarged by (refer_to() in scene/reorder_by_leaf.cpp), for rays from the
+/// eye as for those from within the scene.
 template <class L>
 ZRAKA_INLINE typename L::F hit_margin(const V3<typename L::F>& origin) {
   using F = typename L::F;

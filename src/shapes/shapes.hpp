@@ -13,3 +13,9 @@
   ZRAKA_SHAPES(X)                     \
   X(AnchoredSphere, anchored_spheres) \
   X(Cylinder, cylinders)
+
+/// The same kinds in the order of their shapes' ids.
+#define ZRAKA_KINDS_BY_ID(X)          \
+  X(AnchoredSphere, anchored_spheres) \
+  ZRAKA_SHAPES(X)                     \
+  X(Cylinder, cylinders)

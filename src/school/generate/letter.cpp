@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/phrase.hpp"
 #include "school/generate/distance.hpp"
 
 namespace zraka {
@@ -206,14 +207,14 @@ Result<Scene> generate_letter(const std::string& text, const LetterOptions& opti
   if (!font) return tl::make_unexpected(font.error());
   const Result<Coverage> ink = font->draw(text, kGlyphPixels);
   if (!ink) return tl::make_unexpected(ink.error());
-  if (ink->width == 0) return failure("", "the text has no visible letter");
+  if (ink->width == 0) return failure("", phrase(Word::letter_unseen));
 
   const auto letters = static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80 && c != ' '; }));
   const std::vector<Disc> discs =
       pack_about(Pieces(*ink).spots(options.packing), options.packing,
                  static_cast<std::size_t>(std::max(options.spheres, 0)) * letters);
-  if (discs.empty()) return failure("", "the text has no room for a sphere");
+  if (discs.empty()) return failure("", phrase(Word::letter_no_room));
 
   // From the drawn text to a plane behind the lab's window, where the eye sees it fill nine tenths
   // of it.

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <zraka/school/grade.hpp>
 
+#include "core/phrase.hpp"
 #include "core/text.hpp"
 #include "image/alter.hpp"
 #include "image/packed.hpp"
@@ -345,11 +346,9 @@ Grade Grader::grade(const std::string& path, Links links) const {
     }
     const bool alone = pictures->front().alone;
     if (alone && pictures->front().stage == kNoStage) {
-      grade.problems = {{.file = path,
-                         .message = fmt::format("'{}' is called like a letter or a difference, "
-                                                "which get no marks",
-                                                shown(pictures->front().file)),
-                         .hint = "call it by its stage, 1 to 7"}};
+      grade.problems = {problem(Severity::error, path,
+                                phrase(Word::grade_no_stage, shown(pictures->front().file)),
+                                phrase(Word::grade_call_it))};
       return grade;
     }
     if (alone) {
@@ -370,7 +369,7 @@ Grade Grader::grade(const std::string& path, Links links) const {
     }
   } catch (const std::bad_alloc&) {
     grade.stages.clear();
-    grade.problems = {{.file = path, .message = "not enough memory to mark it"}};
+    grade.problems = {problem(Severity::error, path, phrase(Word::grade_memory))};
   }
   return grade;
 }

@@ -119,7 +119,7 @@ Result<std::string> Page::of_one(const Grade& grade, const std::string& scene) {
   put("<p class=\"total\">{}</p>\n</header>\n<main>\n",
       say(Word::grade_marks, marks_text(language_, grade.marks), marks_text(language_, grade.of)));
   for (const Diagnostic& problem : grade.problems)
-    put("<p class=\"problem\">{}</p>\n", html_text(to_string(problem)));
+    put("<p class=\"problem\">{}</p>\n", html_text(to_string(problem, language_)));
   for (const StageGrade& one : grade.stages) stage(one);
   put("</main>\n");
   return finished();
@@ -143,7 +143,7 @@ void Page::row(const Grade& grade) {
         stage.stage, sign_of(stage.verdict));
   put("</span></summary>\n");
   for (const Diagnostic& problem : grade.problems)
-    put("<p class=\"problem\">{}</p>\n", html_text(to_string(problem)));
+    put("<p class=\"problem\">{}</p>\n", html_text(to_string(problem, language_)));
   for (const StageGrade& stage : grade.stages) {
     put("<h3>{}</h3>\n",
         html_text(capitalized(std::string(text_of(language_, static_cast<Stage>(stage.stage))))));

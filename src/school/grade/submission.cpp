@@ -11,6 +11,7 @@
 #include <new>
 
 #include "core/file.hpp"
+#include "core/phrase.hpp"
 #include "core/text.hpp"
 #include "image/alter.hpp"
 #include "school/late/archive.hpp"
@@ -58,12 +59,11 @@ bool is_hidden(const fs::path& path) {
 }
 
 tl::unexpected<Diagnostics> a_link(const std::string& path) {
-  return failure(path, "it is a link, which is not followed", "hand in the file itself");
+  return failure(path, phrase(Word::grade_link), phrase(Word::grade_file_itself));
 }
 
 tl::unexpected<Diagnostics> too_many(const std::string& path) {
-  return failure(path, fmt::format("it holds more than {} pictures", kMostFiles),
-                 "hand in the pictures of the seven stages");
+  return failure(path, phrase(Word::grade_too_many, kMostFiles), phrase(Word::grade_seven));
 }
 
 /// Goes through a folder and those in it, and fails where one cannot be read: pictures must not be
@@ -90,7 +90,7 @@ Result<void> FolderReader::look_into(const fs::path& folder) {
   std::vector<fs::path> folders;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     if (++seen_ > kMostEntries)
-      return failure(path_, fmt::format("the folder holds more than {} files", kMostEntries));
+      return failure(path_, phrase(Word::grade_folder_files, kMostEntries));
     if (is_hidden(it->path().filename())) continue;
     std::error_code unknown;
     if (it->symlink_status(unknown).type() == fs::file_type::directory)
@@ -100,9 +100,9 @@ Result<void> FolderReader::look_into(const fs::path& folder) {
   }
   if (error) {
     const std::string inside = folder.lexically_relative(path_).string();
-    return failure(path_, fmt::format("the folder {}cannot be read: {}",
-                                      inside == "." ? "" : fmt::format("'{}' ", shown(inside)),
-                                      error.message()));
+    return failure(path_, inside == "."
+                              ? phrase(Word::grade_folder, error.message())
+                              : phrase(Word::grade_inner_folder, shown(inside), error.message()));
   }
   for (const fs::path& inner : folders)
     if (Result<void> good = look_into(inner); !good) return good;
@@ -129,11 +129,11 @@ Result<std::string> read_entry(archive* from, const std::string& file) {
   std::string bytes, part(std::size_t{1} << 16, '\0');
   for (;;) {
     const la_ssize_t more = archive_read_data(from, part.data(), part.size());
-    if (more < 0) return failure(file, "the archive is damaged there");
+    if (more < 0) return failure(file, phrase(Word::grade_damaged_there));
     if (more == 0) return bytes;
     bytes.append(part, 0, static_cast<std::size_t>(more));
     if (bytes.size() > kMostBytes)
-      return failure(file, fmt::format("it unpacks to more than {} MiB", kMostBytes >> 20));
+      return failure(file, phrase(Word::grade_unpacks, kMostBytes >> 20));
   }
 }
 
@@ -165,7 +165,7 @@ Result<std::vector<SubmittedPicture>> from_archive(const std::string& path) {
   const std::unique_ptr<archive, int (*)(archive*)> from(archive_read_new(), archive_read_free);
   if (from == nullptr) throw std::bad_alloc();
   archive_read_support_format_zip(from.get());
-  const auto damaged = [&] { return failure(path, "the archive is damaged or no zip"); };
+  const auto damaged = [&] { return failure(path, phrase(Word::grade_damaged)); };
   if (archive_read_open_filename(from.get(), path.c_str(), std::size_t{1} << 16) != ARCHIVE_OK)
     return damaged();
   std::vector<SubmittedPicture> pictures;
@@ -177,15 +177,13 @@ Result<std::vector<SubmittedPicture>> from_archive(const std::string& path) {
     // Names in old encodings come with a warning.
     if (code != ARCHIVE_OK && code != ARCHIVE_WARN) return damaged();
     if (files == kMostEntries)
-      return failure(path, fmt::format("the archive holds more than {} files", kMostEntries));
+      return failure(path, phrase(Word::grade_archive_files, kMostEntries));
     const char* pathname = archive_entry_pathname(entry);
     const std::string name = pathname != nullptr ? pathname : kUnknownName;
     const fs::path inside(name);
     if (inside.is_absolute() || name.find('\\') != std::string::npos ||
         std::find(inside.begin(), inside.end(), "..") != inside.end())
-      return failure(path,
-                     fmt::format("the archive has a file outside of its folder: '{}'", shown(name)),
-                     "pack the pictures anew, without paths");
+      return failure(path, phrase(Word::grade_outside, shown(name)), phrase(Word::grade_pack_anew));
     if (archive_entry_filetype(entry) != AE_IFREG || is_hidden(inside) ||
         !(is_picture(name) || name == kUnknownName))
       continue;
@@ -200,8 +198,7 @@ Result<std::vector<SubmittedPicture>> from_archive(const std::string& path) {
     }
     bytes_in_all += picture.bytes.size();
     if (bytes_in_all > kMostBytesInAll)
-      return failure(path, fmt::format("its pictures unpack to more than {} MiB in all",
-                                       kMostBytesInAll >> 20));
+      return failure(path, phrase(Word::grade_unpacks_all, kMostBytesInAll >> 20));
     pictures.push_back(std::move(picture));
   }
 }
@@ -245,12 +242,12 @@ Result<std::vector<SubmittedPicture>> read_submission(const std::string& path, L
   if (!named.has_filename()) named = named.parent_path();  // a link and a slash is its folder
   if (links == Links::refuse && fs::is_symlink(named, error)) return a_link(path);
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) return failure(path, "there is no such file or folder");
+  if (!fs::exists(status)) return failure(path, phrase(Word::grade_not_there));
   Result<std::vector<SubmittedPicture>> pictures;
   if (fs::is_directory(status)) {
     pictures = FolderReader(path).read();
   } else if (!fs::is_regular_file(status)) {
-    return failure(path, "it is neither a file nor a folder");
+    return failure(path, phrase(Word::grade_neither));
   } else if (is_archive(path)) {
     pictures = from_archive(path);
   } else {
@@ -259,8 +256,7 @@ Result<std::vector<SubmittedPicture>> read_submission(const std::string& path, L
   }
   if (!pictures) return pictures;
   if (pictures->empty())
-    return failure(path, "there is no picture in it",
-                   "hand in PNG, JPEG, PPM, PFM or OpenEXR files, called 1 to 7 or by their stage");
+    return failure(path, phrase(Word::grade_no_picture), phrase(Word::grade_hand_in));
   std::sort(pictures->begin(), pictures->end(),
             [](const SubmittedPicture& a, const SubmittedPicture& b) { return a.file < b.file; });
   return pictures;

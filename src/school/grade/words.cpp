@@ -72,7 +72,7 @@ Json json_of(Language language, const Grader& grader, const Grade& grade) {
   return {{"submission", grade.name},
           {"score", grade.marks},
           {"max_score", grade.of},
-          {"output", grade.problems.empty() ? "" : to_string(grade.problems.front())},
+          {"output", grade.problems.empty() ? "" : to_string(grade.problems.front(), language)},
           {"tests", std::move(tests)}};
 }
 
@@ -106,7 +106,7 @@ std::vector<std::string> findings(Language language, const Grader& grader,
       return lines;
     case Verdict::unreadable:
       lines.emplace_back(text_of(language, Word::grade_unreadable));
-      if (!stage.problems.empty()) lines.push_back(to_string(stage.problems.front()));
+      if (!stage.problems.empty()) lines.push_back(to_string(stage.problems.front(), language));
       return lines;
     case Verdict::mistaken:
       for (std::size_t i = 0; i < stage.mistakes.size(); ++i) {
@@ -140,7 +140,8 @@ std::string grade_text(Language language, const Grader& grader, const Grade& gra
   std::string text = fmt::format("{}: {}\n", shown(grade.name),
                                  say(language, Word::grade_marks, marks_text(language, grade.marks),
                                      marks_text(language, grade.of)));
-  for (const Diagnostic& problem : grade.problems) text += "  " + to_string(problem) + "\n";
+  for (const Diagnostic& problem : grade.problems)
+    text += "  " + to_string(problem, language) + "\n";
   for (const StageGrade& stage : grade.stages) {
     const std::vector<std::string> lines = findings(language, grader, stage);
     text += fmt::format("  {}  {}/{}  {}\n", text_of(language, static_cast<Stage>(stage.stage)),
@@ -160,7 +161,7 @@ std::string grades_table(Language language, const std::vector<Grade>& grades) {
     text += fmt::format("{:<{}}  {:>5}/{}", shown(grade.name), width,
                         marks_text(language, grade.marks), marks_text(language, grade.of));
     if (!grade.problems.empty()) {
-      text += "  " + shown_line(grade.problems.front().message) + "\n";
+      text += "  " + shown_line(grade.problems.front().message_in(language)) + "\n";
       continue;
     }
     std::set<Mistake> named;

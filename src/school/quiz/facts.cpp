@@ -47,22 +47,23 @@ class Facts {
 
 void Facts::material() {
   say(Word::quiz_meets, label_of(language_, hit_.shape, Case::accusative),
-      short_vector(hit_.normal));
+      short_vector(language_, hit_.normal));
   std::string numbers;
   const auto add = [&](const char* name, const std::string& number) {
-    numbers += fmt::format("{}{} = {}", numbers.empty() ? "" : ", ", name, number);
+    numbers +=
+        fmt::format("{}{} = {}", numbers.empty() ? "" : between_numbers(language_), name, number);
   };
   if (e_.terms.ambient) {
-    add("Ia", short_vector(e_.ambient_light));
-    add("ka", short_vector(hit_.ka));
+    add("Ia", short_vector(language_, e_.ambient_light));
+    add("ka", short_vector(language_, hit_.ka));
   }
-  if (e_.terms.diffuse) add("kd", short_vector(hit_.kd));
+  if (e_.terms.diffuse) add("kd", short_vector(language_, hit_.kd));
   if (e_.terms.specular) {
-    add("ks", short_vector(hit_.ks));
-    add("n", short_number(hit_.shininess));
+    add("ks", short_vector(language_, hit_.ks));
+    add("n", short_number(language_, hit_.shininess));
   }
-  if (e_.terms.reflection) add("k1", short_number(hit_.k1));
-  if (e_.terms.refraction) add("k2", short_number(hit_.k2));
+  if (e_.terms.reflection) add("k1", short_number(language_, hit_.k1));
+  if (e_.terms.refraction) add("k2", short_number(language_, hit_.k2));
   lines_.push_back(numbers);
 }
 
@@ -82,9 +83,11 @@ std::string Facts::reach(const LightTerms& at) const {
 
 void Facts::light(std::size_t i) {
   const LightTerms& at = hit_.lights[i];
-  std::string line = fmt::format("{}: Ii = {}, L·N = {}", text(Word::light, light_number(i)),
-                                 short_vector(e_.lights[i].color), short_number(at.l_n));
-  if (at.r_v) line += fmt::format(", R·V = {}", short_number(*at.r_v));
+  const std::string_view between = between_numbers(language_);
+  std::string line = fmt::format("{}: Ii = {}{}L·N = {}", text(Word::light, light_number(i)),
+                                 short_vector(language_, e_.lights[i].color), between,
+                                 short_number(language_, at.l_n));
+  if (at.r_v) line += fmt::format("{}R·V = {}", between, short_number(language_, *at.r_v));
   if (const std::string more = reach(at); !more.empty()) line += fmt::format("; {}", more);
   lines_.push_back(capitalized(line));
 }
@@ -96,7 +99,8 @@ void Facts::child(const Child& child, Word ray, Word none, float share) {
     const std::string name = ray == Word::ray_refracted ? "k2"
                              : child.share == share     ? "k1"
                                                         : "k1 + k2";
-    say(Word::quiz_brings, text(ray), name, short_number(child.share), short_vector(color));
+    say(Word::quiz_brings, text(ray), name, short_number(language_, child.share),
+        short_vector(language_, color));
     return;
   }
   if (child.absence == Absence::depth)

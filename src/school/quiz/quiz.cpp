@@ -6,6 +6,7 @@
 #include <new>
 #include <zraka/school/quiz.hpp>
 
+#include "core/phrase.hpp"
 #include "image/page_picture.hpp"
 #include "school/quiz/ask.hpp"
 
@@ -61,8 +62,7 @@ Result<Quiz> asked(Studio& studio, const QuizOptions& options) {
     }
   }
   if (quiz.questions.empty())
-    return failure("", "nothing can be asked of this picture: no term and no mistake shows in it",
-                   "a quiz needs shapes that the eye sees, and light on them");
+    return failure("", phrase(Word::quiz_nothing), phrase(Word::quiz_needs));
   return quiz;
 }
 
@@ -106,8 +106,7 @@ Result<Quiz> make_quiz(const Scene& scene, const RenderOptions& options, const Q
     if (!studio) return tl::make_unexpected(studio.error());
     return asked(*studio, quiz);
   } catch (const std::bad_alloc&) {
-    return failure("", "not enough memory for the pictures of a quiz",
-                   "ask for smaller pictures with --width");
+    return failure("", phrase(Word::quiz_memory), phrase(Word::quiz_smaller));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <zraka/compare.hpp>
 #include <zraka/school/quiz.hpp>
 
+#include "core/phrase.hpp"
 #include "image/alter.hpp"
 
 namespace zraka {
@@ -40,10 +41,8 @@ bool told_apart(const Image& a, const Image& b) {
 Result<Studio> Studio::create(const Scene& scene, const RenderOptions& options) {
   const std::uint64_t pixels = std::uint64_t{scene.resolution.width} * scene.resolution.height;
   if (pixels > kMaxQuizPixels)
-    return failure(
-        "",
-        fmt::format("a quiz's pictures have {} pixels each: {} at most", pixels, +kMaxQuizPixels),
-        "ask for smaller pictures with --width");
+    return failure("", phrase(Word::quiz_pixels, pixels, +kMaxQuizPixels),
+                   phrase(Word::quiz_smaller));
   Studio studio(scene, options);
   Result<Image> right = rendered(scene, options, Mistake::none);
   if (!right) return tl::make_unexpected(right.error());

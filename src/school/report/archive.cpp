@@ -5,8 +5,8 @@
 
 #include <memory>
 
+#include "core/phrase.hpp"
 #include "core/text.hpp"
-#include "core/words.hpp"
 #include "school/late/archive.hpp"
 
 namespace zraka {
@@ -73,8 +73,7 @@ Result<std::string> zip_of(const std::vector<NamedBytes>& files) {
   };
   const auto problem = [&] {
     const char* why = writer ? archive_error_string(writer.get()) : nullptr;
-    return failure("",
-                   fmt::format("the archive cannot be made: {}", why ? why : "not enough memory"));
+    return failure("", phrase(Word::report_no_archive, why ? why : "not enough memory"));
   };
   if (!writer || archive_write_set_format_zip(writer.get()) != ARCHIVE_OK ||
       archive_write_set_bytes_in_last_block(writer.get(), 1) != ARCHIVE_OK ||

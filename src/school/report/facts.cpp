@@ -8,6 +8,7 @@
 #include <new>
 #include <set>
 
+#include "core/phrase.hpp"
 #include "explain/tile_listeners.hpp"
 #include "image/alter.hpp"
 #include "school/report/listener.hpp"
@@ -229,8 +230,8 @@ Result<SceneFacts> measure_stages(
     }
     return std::move(measurement.facts);
   } catch (const std::bad_alloc&) {
-    return failure("", fmt::format("not enough memory for the stages of a picture of {}×{} pixels",
-                                   scene.resolution.width, scene.resolution.height));
+    return failure("",
+                   phrase(Word::report_memory, scene.resolution.width, scene.resolution.height));
   }
 }
 

@@ -133,7 +133,8 @@ void Page::method() {
     put("<math display=\"block\">{}</math>\n", more);
   put("<p>{}</p>\n", say(Word::method_total));
   paragraph(say(Word::method_sum, facts_.max_depth), kSumFormula);
-  put("<p>{}</p>\n</section>\n", say(Word::method_clamp));
+  put("<p>{}</p>\n</section>\n",
+      say(facts_.profile.clamp_levels ? Word::method_clamp_levels : Word::method_clamp));
 }
 
 void Page::figure(const std::string& png, const std::string& caption) {
