@@ -273,6 +273,16 @@ double area(const std::vector<Vec3>& corners) {
 TEST(Polygon, IsCoveredByItsTriangles) {
   EXPECT_DOUBLE_EQ(area({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}), 2);
   EXPECT_DOUBLE_EQ(area({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}}), 10) << "a notch";
+  EXPECT_DOUBLE_EQ(area({{0, 0, 0},
+                         {2, 0, 0},
+                         {9, 0, 0},
+                         {9, 5, 0},
+                         {0.5, 0.5, 0},
+                         {5, 9, 0},
+                         {0, 9, 0},
+                         {0, 2, 0}}),
+                   47)
+      << "the shortest cut would go over the notch";
   std::vector<Vec3> gear;
   double want = 0;
   for (int i = 0; i < 144; ++i) {
@@ -349,6 +359,49 @@ TEST(Polygon, WithRepeatedCornersIsCovered) {
                          {29, -29, 0},
                          {29, -29, 0}}),
                    3604.5);
+}
+
+TEST(Polygon, OfThousandsOfCornersIsCovered) {
+  // Half of the corners turn right; looking at all of them for each ear would take minutes.
+  constexpr int kCorners = 20000;
+  const auto area_of = [](const std::vector<Vec3>& corners) {
+    double sum = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec3 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+      sum += (a.x * b.y - a.y * b.x) / 2;
+    }
+    return std::fabs(sum);
+  };
+  std::vector<Vec3> star, spiral;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * M_PI * i / kCorners, r = i % 2 == 0 ? 1 : 0.5;
+    star.push_back({r * std::cos(angle), r * std::sin(angle), 0});
+    const bool in = i >= kCorners / 2;  // out along one side and in along the other
+    const double turned = (in ? kCorners - 1 - i : i) * 80 * M_PI / kCorners;
+    const double away = turned + (in ? 0 : 0.3);
+    spiral.push_back({away * std::cos(turned), away * std::sin(turned), 0});
+  }
+  for (const auto& corners : {star, spiral}) {
+    EXPECT_NEAR(area(corners), area_of(corners), 1e-6 * area_of(corners));
+    EXPECT_EQ(triangulate(corners).size(), corners.size() - 2);
+  }
+}
+
+TEST(Polygon, WithoutAnAreaHasFewTriangles) {
+  const std::vector<Vec3> point(20000, {1, 2, 3});
+  EXPECT_TRUE(triangulate(point).empty());
+  std::vector<Vec3> line, there_and_back, twice;
+  for (int i = 0; i < 20000; ++i) {
+    line.push_back({static_cast<double>(i), 0, 0});
+    there_and_back.push_back({static_cast<double>(i < 10000 ? i : 20000 - i), 0, 0});
+    const double angle = 2 * M_PI * (i / 2) / 10000;
+    twice.push_back({std::cos(angle), std::sin(angle), 0});
+  }
+  EXPECT_LE(triangulate(line).size(), 1u);
+  EXPECT_LE(triangulate(there_and_back).size(), 1u);
+  EXPECT_EQ(triangulate(twice).size(), 9998u) << "each corner once";
+  for (const auto& triangle : triangulate(twice))
+    for (const std::uint32_t corner : triangle) EXPECT_EQ(corner % 2, 0u) << "the first of equals";
 }
 
 TEST(Polygon, FacesAnyWay) {
