@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <zraka/formats.hpp>
 
+#include "core/file.hpp"
 #include "formats/formats.hpp"
 #include "scene/polygon.hpp"
 
@@ -80,14 +83,74 @@ TEST(Nff, IsTheSameFromBlocksOfAnySize) {
       kMaterial + shapes,  // no view
       "v\nfrom 0 0 5\ns 1 2 3 4\n" + shapes,
   };
-  const Passed nobody = [](const char*) {};
   for (const std::string& text : texts) {
-    const std::string wanted = told(parse_nff(text, "f.nff", nobody));
+    const std::string wanted = told(parse_nff(text, "f.nff"));
     for (const std::size_t block : {1u, 2u, 7u, 20u, 100u, 1000u, 100000u})
-      ASSERT_EQ(told(parse_nff_by_blocks(text, "f.nff", nobody, block)), wanted)
+      ASSERT_EQ(told(parse_nff_by_blocks(text, "f.nff", block)), wanted)
           << "blocks of " << block << ":\n"
           << text.substr(0, 200);
   }
+}
+
+/// A file that is read by parts, for as long as this is there.
+class LargeText {
+ public:
+  /// `text` and, behind it, spheres.
+  explicit LargeText(const std::string& text, std::size_t bytes = std::size_t{17} << 20)
+      : path(testing::TempDir() + "zraka-large.nff") {
+    std::string all = text;
+    for (int i = 0; all.size() < bytes; ++i) {
+      if (i % 1000 == 0) all += fmt::format("f {} 0.5 0 0.8 0.3 20 0.4 1.5\n", i % 7000 / 1e4);
+      all += i % 5000 == 0
+                 ? fmt::format("p 3\n0 0 {}\n1 0 0\n# a comment\n0 1 0\n", i)
+                 : fmt::format("s {} {} {} 0.5\n", i % 97 / 7.0, i % 89 / 11.0, i % 83 / 13.0);
+    }
+    std::ofstream(path) << all;
+    content = all;
+  }
+  ~LargeText() { std::filesystem::remove(path); }
+  const std::string path;
+  std::string content;
+};
+
+TEST(Nff, OfALargeFileIsTheSameAsOfItsText) {
+  const std::string lights = "l 1 2 3\n";
+  for (const std::string& text :
+       {lights + kView + kMaterial, kByteOrder + kView + kMaterial,
+        kView + kMaterial + "s 1 2 3 -0.5\n",                        // a warning
+        kView + kMaterial + "s 1 2 3 0\n",                           // an error
+        kView + kMaterial + "#" + std::string(3 << 20, ' ') + "\n",  // a comment of many blocks
+        kMaterial, std::string()}) {
+    LargeText file(text);
+    EXPECT_TRUE(told(read_scene(file.path)) == told(parse_scene(file.content, file.path)));
+  }
+  {
+    LargeText file(kView + kMaterial);
+    file.content += kView + "x 1\n";
+    std::ofstream(file.path, std::ios::app) << kView << "x 1\n";
+    EXPECT_TRUE(told(read_scene(file.path)) == told(parse_scene(file.content, file.path)));
+    std::optional<LargeFile> opened = LargeFile::open(file.path, std::uint64_t{1} << 36);
+    ASSERT_TRUE(opened);
+    EXPECT_FALSE(read_nff_by_blocks(*opened, file.path, 1 << 20));
+  }
+  LargeText file(kView + kMaterial);
+  for (const std::size_t block : {1000u, 100000u, 1u << 20}) {
+    std::optional<LargeFile> opened = LargeFile::open(file.path, std::uint64_t{1} << 36);
+    ASSERT_TRUE(opened);
+    std::optional<ReadScene> read = read_nff_by_blocks(*opened, file.path, block);
+    ASSERT_TRUE(read) << "it needs no second reading";
+    read->scene.format = "NFF";
+    EXPECT_TRUE(told(std::move(*read)) == told(parse_scene(file.content, file.path))) << block;
+  }
+}
+
+TEST(Nff, ThatIsShortenedWhileItIsReadIsToldOf) {
+  LargeText file(kView + kMaterial);
+  std::optional<LargeFile> opened = LargeFile::open(file.path, std::uint64_t{1} << 36);
+  ASSERT_TRUE(opened);
+  std::filesystem::resize_file(file.path, file.content.find("\ns ", 5 << 20) + 1);
+  EXPECT_FALSE(read_nff_by_blocks(*opened, file.path, 1 << 20));
+  EXPECT_TRUE(opened->shortened());
 }
 
 TEST(Nff, HasAViewThroughAWindow) {
