@@ -12,6 +12,7 @@
 #include "core/file.hpp"
 #include "formats/formats.hpp"
 #include "scene/polygon.hpp"
+#include "scenes.hpp"
 
 namespace zraka {
 namespace {
@@ -319,6 +320,43 @@ TEST(Nff, WarnsOnceOfColoursThatCountTo255) {
             "f.nff:9:2: warning: a colour of 255 is brighter than white: NFF's are from 0 to 1\n"
             "  f 255 128 0 1 0 1 0 1\n"
             "   ^\n");
+}
+
+/// A view along no axis of all shapes, everything this many times as large.
+std::string scaled_scene(double k) {
+  const auto v = [&](double x, double y, double z) {
+    return fmt::format(" {} {} {}", x * k, y * k, z * k);
+  };
+  return "v\nfrom" + v(6, 7, 2) + "\nat" + v(0.1, 0.2, 0) +
+         "\nup 0 0 1\nangle 40\nhither 0\nresolution 100 100\nb 0.2 0.3 0.5\nl" + v(5, 3, 8) +
+         "\nf 0.8 0.3 0.2 0.8 0.3 30 0 1\ns" + v(0, 0, 0) + fmt::format(" {}\ns", k) + v(1, 2, 0) +
+         fmt::format(" {}", 0.7 * k) + "\nf 0.3 0.8 0.2 0.8 0.3 30 0 1\nc" + v(2, -0.5, -1) +
+         fmt::format(" {}", 0.4 * k) + v(2, -0.5, 2) + fmt::format(" {}\np 4\n", 0.1 * k) +
+         v(-5, -5, -1) + v(5, -5, -1) + v(5, 5, -1) + v(-5, 5, -1) + "\n";
+}
+
+TEST(Nff, HasTheSamePictureInAnyUnit) {
+  const auto picture = [](double k) { return render(scene(scaled_scene(k)), {}).value().image; };
+  const Image want = picture(1);
+  for (int power = -30; power <= 30; power += 5)
+    EXPECT_GE(agreement(picture(std::pow(10, power)), want, 1.0f / 255), 0.999) << power;
+  for (const int power : {-90, -60, 12, 16, 60, 90})
+    EXPECT_GE(agreement(picture(std::pow(10, power)), want, 1.0f / 255), 0.999) << power;
+}
+
+TEST(Nff, LooksWhereItSaysFromAnyDistanceToTheOrigin) {
+  // The eye's place has digits for 2^-20 here; where it looks has as many as everywhere.
+  const double far = 0x1p32;
+  const Scene s =
+      scene(fmt::format("v\nfrom {0} {0} {0}\nat {1} {2} {0}\nup 0 0 1\nangle 40\n"
+                        "hither 0\nresolution 8 8\n",
+                        far, far + 3, far + 4));
+  const double x = s.camera.window_center.x - far, y = s.camera.window_center.y - far;
+  EXPECT_NEAR(x / y, 0.75, 1e-9);
+  EXPECT_NEAR(s.camera.window_center.z - far, 0, 1e-9 * y);
+  EXPECT_NEAR(std::hypot(s.camera.window_up.x, s.camera.window_up.y, s.camera.window_up.z) /
+                  std::hypot(x, y),
+              2 * std::tan(M_PI / 9), 1e-9);
 }
 
 /// Sum of the triangles' areas, and whether each turns the way that the polygon does.

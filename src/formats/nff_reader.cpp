@@ -276,7 +276,13 @@ void NffReader::set_scene_up() {
   right = right * (1 / length(right));
   const double tall = 2 * std::tan(angle_ * 3.14159265358979323846 / 360);
   const double aspect = static_cast<double>(scene_.resolution.width) / scene_.resolution.height;
-  scene_.camera = {from_, from_ + along, right * (tall * aspect), cross(right, along) * tall};
+  // The window is 1 away, but where the sum of that and the eye's place would lose its digits.
+  const double most = std::max({std::fabs(from_.x), std::fabs(from_.y), std::fabs(from_.z)});
+  int exponent = 0;
+  if (most > 0x1p20) std::frexp(most, &exponent);
+  const double away = std::ldexp(1, exponent);
+  scene_.camera = {from_, from_ + along * away, right * (tall * aspect * away),
+                   cross(right, along) * (tall * away)};
   // The databases' rule, for formats without intensities.
   const auto n = static_cast<double>(std::max<std::size_t>(1, scene_.lights.size()));
   const double intensity = std::sqrt(n) / (2 * n);
