@@ -238,5 +238,57 @@ TEST_F(Files, ThatCannotBeReadSayWhy) {
   EXPECT_EQ(error(path("large")), path("large") + ": error: is too large: over 100 bytes\n");
 }
 
+TEST_F(Files, ThatMayHaveNoEndAreReadAsFarAsTheyAreOfUse) {
+  const int all = ::open("/dev/zero", O_RDONLY), before = ::dup(STDIN_FILENO);
+  ::dup2(all, STDIN_FILENO);
+  std::size_t asked = 0;
+  const Result<std::string> text =
+      read_file("-", std::uint64_t{1} << 36, [&](std::string_view beginning) {
+        EXPECT_EQ(beginning.size(), std::size_t{1} << 20);
+        ++asked;
+        return false;
+      });
+  const Result<ReadScene> scene = read_scene("-");
+  ::dup2(before, STDIN_FILENO);
+  ::close(all), ::close(before);
+  EXPECT_EQ(asked, 1u);
+  EXPECT_EQ(text.value().size(), std::size_t{1} << 20);
+  ASSERT_FALSE(scene);
+  EXPECT_EQ(to_string(scene.error().front()),
+            "standard input: error: the file is not text: byte 1 is 0x00\n"
+            "  expected the course's input.txt format\n");
+}
+
+TEST_F(Files, ThatAreLargeCanBeReadInParts) {
+  constexpr std::uint64_t kLimit = std::uint64_t{1} << 30;
+  ASSERT_TRUE(write_text_file(path("small"), "text"));
+  EXPECT_FALSE(LargeFile::open(path("small"), kLimit));
+  EXPECT_FALSE(LargeFile::open(path("none"), kLimit));
+  EXPECT_FALSE(LargeFile::open(folder_.string(), kLimit));
+  std::string text(std::size_t{1} << 24, 'x');
+  text[1000] = 'y';
+  ASSERT_TRUE(write_text_file(path("large"), text));
+  EXPECT_FALSE(LargeFile::open(path("large"), text.size() - 1));
+  std::optional<LargeFile> file = LargeFile::open(path("large"), kLimit);
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->size(), text.size());
+  std::string part(1000, ' ');
+  EXPECT_EQ(file->read(part.data(), 1000), 1000u);
+  EXPECT_EQ(file->read(part.data(), 1), 1u);
+  EXPECT_EQ(part[0], 'y');
+  file->rewind();
+  EXPECT_EQ(file->read(part.data(), 1), 1u);
+  EXPECT_EQ(part[0], 'x');
+  std::string all(text.size() + 5, ' ');
+  EXPECT_EQ(file->read(all.data(), text.size() - 1), text.size() - 1);
+  EXPECT_FALSE(file->shortened());
+  EXPECT_EQ(file->read(all.data(), 5), 0u);
+  EXPECT_FALSE(file->shortened()) << "that is its end";
+  file->rewind();
+  fs::resize_file(path("large"), 500);
+  EXPECT_EQ(file->read(all.data(), text.size()), 500u);
+  EXPECT_TRUE(file->shortened());
+}
+
 }  // namespace
 }  // namespace zraka

@@ -4,11 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <zraka/formats.hpp>
 
+#include "core/file.hpp"
 #include "formats/formats.hpp"
 #include "scene/polygon.hpp"
+#include "scenes.hpp"
 
 namespace zraka {
 namespace {
@@ -80,14 +84,74 @@ TEST(Nff, IsTheSameFromBlocksOfAnySize) {
       kMaterial + shapes,  // no view
       "v\nfrom 0 0 5\ns 1 2 3 4\n" + shapes,
   };
-  const Passed nobody = [](const char*) {};
   for (const std::string& text : texts) {
-    const std::string wanted = told(parse_nff(text, "f.nff", nobody));
+    const std::string wanted = told(parse_nff(text, "f.nff"));
     for (const std::size_t block : {1u, 2u, 7u, 20u, 100u, 1000u, 100000u})
-      ASSERT_EQ(told(parse_nff_by_blocks(text, "f.nff", nobody, block)), wanted)
+      ASSERT_EQ(told(parse_nff_by_blocks(text, "f.nff", block)), wanted)
           << "blocks of " << block << ":\n"
           << text.substr(0, 200);
   }
+}
+
+/// A file that is read by parts, for as long as this is there.
+class LargeText {
+ public:
+  /// `text` and, behind it, spheres.
+  explicit LargeText(const std::string& text, std::size_t bytes = std::size_t{17} << 20)
+      : path(testing::TempDir() + "zraka-large.nff") {
+    std::string all = text;
+    for (int i = 0; all.size() < bytes; ++i) {
+      if (i % 1000 == 0) all += fmt::format("f {} 0.5 0 0.8 0.3 20 0.4 1.5\n", i % 7000 / 1e4);
+      all += i % 5000 == 0
+                 ? fmt::format("p 3\n0 0 {}\n1 0 0\n# a comment\n0 1 0\n", i)
+                 : fmt::format("s {} {} {} 0.5\n", i % 97 / 7.0, i % 89 / 11.0, i % 83 / 13.0);
+    }
+    std::ofstream(path) << all;
+    content = all;
+  }
+  ~LargeText() { std::filesystem::remove(path); }
+  const std::string path;
+  std::string content;
+};
+
+TEST(Nff, OfALargeFileIsTheSameAsOfItsText) {
+  const std::string lights = "l 1 2 3\n";
+  for (const std::string& text :
+       {lights + kView + kMaterial, kByteOrder + kView + kMaterial,
+        kView + kMaterial + "s 1 2 3 -0.5\n",                        // a warning
+        kView + kMaterial + "s 1 2 3 0\n",                           // an error
+        kView + kMaterial + "#" + std::string(3 << 20, ' ') + "\n",  // a comment of many blocks
+        kMaterial, std::string()}) {
+    LargeText file(text);
+    EXPECT_TRUE(told(read_scene(file.path)) == told(parse_scene(file.content, file.path)));
+  }
+  {
+    LargeText file(kView + kMaterial);
+    file.content += kView + "x 1\n";
+    std::ofstream(file.path, std::ios::app) << kView << "x 1\n";
+    EXPECT_TRUE(told(read_scene(file.path)) == told(parse_scene(file.content, file.path)));
+    std::optional<LargeFile> opened = LargeFile::open(file.path, std::uint64_t{1} << 36);
+    ASSERT_TRUE(opened);
+    EXPECT_FALSE(read_nff_by_blocks(*opened, file.path, 1 << 20));
+  }
+  LargeText file(kView + kMaterial);
+  for (const std::size_t block : {1000u, 100000u, 1u << 20}) {
+    std::optional<LargeFile> opened = LargeFile::open(file.path, std::uint64_t{1} << 36);
+    ASSERT_TRUE(opened);
+    std::optional<ReadScene> read = read_nff_by_blocks(*opened, file.path, block);
+    ASSERT_TRUE(read) << "it needs no second reading";
+    read->scene.format = "NFF";
+    EXPECT_TRUE(told(std::move(*read)) == told(parse_scene(file.content, file.path))) << block;
+  }
+}
+
+TEST(Nff, ThatIsShortenedWhileItIsReadIsToldOf) {
+  LargeText file(kView + kMaterial);
+  std::optional<LargeFile> opened = LargeFile::open(file.path, std::uint64_t{1} << 36);
+  ASSERT_TRUE(opened);
+  std::filesystem::resize_file(file.path, file.content.find("\ns ", 5 << 20) + 1);
+  EXPECT_FALSE(read_nff_by_blocks(*opened, file.path, 1 << 20));
+  EXPECT_TRUE(opened->shortened());
 }
 
 TEST(Nff, HasAViewThroughAWindow) {
@@ -258,6 +322,43 @@ TEST(Nff, WarnsOnceOfColoursThatCountTo255) {
             "   ^\n");
 }
 
+/// A view along no axis of all shapes, everything this many times as large.
+std::string scaled_scene(double k) {
+  const auto v = [&](double x, double y, double z) {
+    return fmt::format(" {} {} {}", x * k, y * k, z * k);
+  };
+  return "v\nfrom" + v(6, 7, 2) + "\nat" + v(0.1, 0.2, 0) +
+         "\nup 0 0 1\nangle 40\nhither 0\nresolution 100 100\nb 0.2 0.3 0.5\nl" + v(5, 3, 8) +
+         "\nf 0.8 0.3 0.2 0.8 0.3 30 0 1\ns" + v(0, 0, 0) + fmt::format(" {}\ns", k) + v(1, 2, 0) +
+         fmt::format(" {}", 0.7 * k) + "\nf 0.3 0.8 0.2 0.8 0.3 30 0 1\nc" + v(2, -0.5, -1) +
+         fmt::format(" {}", 0.4 * k) + v(2, -0.5, 2) + fmt::format(" {}\np 4\n", 0.1 * k) +
+         v(-5, -5, -1) + v(5, -5, -1) + v(5, 5, -1) + v(-5, 5, -1) + "\n";
+}
+
+TEST(Nff, HasTheSamePictureInAnyUnit) {
+  const auto picture = [](double k) { return render(scene(scaled_scene(k)), {}).value().image; };
+  const Image want = picture(1);
+  for (int power = -30; power <= 30; power += 5)
+    EXPECT_GE(agreement(picture(std::pow(10, power)), want, 1.0f / 255), 0.999) << power;
+  for (const int power : {-90, -60, 12, 16, 60, 90})
+    EXPECT_GE(agreement(picture(std::pow(10, power)), want, 1.0f / 255), 0.999) << power;
+}
+
+TEST(Nff, LooksWhereItSaysFromAnyDistanceToTheOrigin) {
+  // The eye's place has digits for 2^-20 here; where it looks has as many as everywhere.
+  const double far = 0x1p32;
+  const Scene s =
+      scene(fmt::format("v\nfrom {0} {0} {0}\nat {1} {2} {0}\nup 0 0 1\nangle 40\n"
+                        "hither 0\nresolution 8 8\n",
+                        far, far + 3, far + 4));
+  const double x = s.camera.window_center.x - far, y = s.camera.window_center.y - far;
+  EXPECT_NEAR(x / y, 0.75, 1e-9);
+  EXPECT_NEAR(s.camera.window_center.z - far, 0, 1e-9 * y);
+  EXPECT_NEAR(std::hypot(s.camera.window_up.x, s.camera.window_up.y, s.camera.window_up.z) /
+                  std::hypot(x, y),
+              2 * std::tan(M_PI / 9), 1e-9);
+}
+
 /// Sum of the triangles' areas, and whether each turns the way that the polygon does.
 double area(const std::vector<Vec3>& corners) {
   double sum = 0;
@@ -273,6 +374,16 @@ double area(const std::vector<Vec3>& corners) {
 TEST(Polygon, IsCoveredByItsTriangles) {
   EXPECT_DOUBLE_EQ(area({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}), 2);
   EXPECT_DOUBLE_EQ(area({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}}), 10) << "a notch";
+  EXPECT_DOUBLE_EQ(area({{0, 0, 0},
+                         {2, 0, 0},
+                         {9, 0, 0},
+                         {9, 5, 0},
+                         {0.5, 0.5, 0},
+                         {5, 9, 0},
+                         {0, 9, 0},
+                         {0, 2, 0}}),
+                   47)
+      << "the shortest cut would go over the notch";
   std::vector<Vec3> gear;
   double want = 0;
   for (int i = 0; i < 144; ++i) {
@@ -349,6 +460,49 @@ TEST(Polygon, WithRepeatedCornersIsCovered) {
                          {29, -29, 0},
                          {29, -29, 0}}),
                    3604.5);
+}
+
+TEST(Polygon, OfThousandsOfCornersIsCovered) {
+  // Half of the corners turn right; looking at all of them for each ear would take minutes.
+  constexpr int kCorners = 20000;
+  const auto area_of = [](const std::vector<Vec3>& corners) {
+    double sum = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec3 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+      sum += (a.x * b.y - a.y * b.x) / 2;
+    }
+    return std::fabs(sum);
+  };
+  std::vector<Vec3> star, spiral;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * M_PI * i / kCorners, r = i % 2 == 0 ? 1 : 0.5;
+    star.push_back({r * std::cos(angle), r * std::sin(angle), 0});
+    const bool in = i >= kCorners / 2;  // out along one side and in along the other
+    const double turned = (in ? kCorners - 1 - i : i) * 80 * M_PI / kCorners;
+    const double away = turned + (in ? 0 : 0.3);
+    spiral.push_back({away * std::cos(turned), away * std::sin(turned), 0});
+  }
+  for (const auto& corners : {star, spiral}) {
+    EXPECT_NEAR(area(corners), area_of(corners), 1e-6 * area_of(corners));
+    EXPECT_EQ(triangulate(corners).size(), corners.size() - 2);
+  }
+}
+
+TEST(Polygon, WithoutAnAreaHasFewTriangles) {
+  const std::vector<Vec3> point(20000, {1, 2, 3});
+  EXPECT_TRUE(triangulate(point).empty());
+  std::vector<Vec3> line, there_and_back, twice;
+  for (int i = 0; i < 20000; ++i) {
+    line.push_back({static_cast<double>(i), 0, 0});
+    there_and_back.push_back({static_cast<double>(i < 10000 ? i : 20000 - i), 0, 0});
+    const double angle = 2 * M_PI * (i / 2) / 10000;
+    twice.push_back({std::cos(angle), std::sin(angle), 0});
+  }
+  EXPECT_LE(triangulate(line).size(), 1u);
+  EXPECT_LE(triangulate(there_and_back).size(), 1u);
+  EXPECT_EQ(triangulate(twice).size(), 9998u) << "each corner once";
+  for (const auto& triangle : triangulate(twice))
+    for (const std::uint32_t corner : triangle) EXPECT_EQ(corner % 2, 0u) << "the first of equals";
 }
 
 TEST(Polygon, FacesAnyWay) {

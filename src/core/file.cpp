@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -26,7 +25,8 @@ Phrase reason() {
 
 }  // namespace
 
-Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
+Result<std::string> read_file(const std::string& path, std::uint64_t limit, const GoesOn& goes_on) {
+  constexpr std::size_t kBeginning = std::size_t{1} << 20;
   constexpr std::uint64_t kMostOfStream = std::uint64_t{1}
                                           << 32;  // whose size nobody knows beforehand
   const bool standard_input = path == "-";
@@ -45,7 +45,8 @@ Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
   if (known && S_ISDIR(status.st_mode)) return refuse(phrase(Word::path_is_folder));
   if (!standard_input && known && !S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode))
     return refuse(phrase(Word::path_is_device));
-  if (!known || !S_ISREG(status.st_mode)) limit = std::min(limit, kMostOfStream);
+  const bool regular = known && S_ISREG(status.st_mode);
+  if (!regular) limit = std::min(limit, kMostOfStream);
   if (!standard_input && known && S_ISFIFO(status.st_mode)) {
     // A writer may come late and be slow, but not for ever.
     pollfd wanted{descriptor, POLLIN, 0};
@@ -53,12 +54,12 @@ Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
     ::fcntl(descriptor, F_SETFL, O_RDONLY);
   }
   const auto too_large = [&] { return phrase(Word::path_too_large, limit); };
-  if (known && S_ISREG(status.st_mode) && static_cast<std::uint64_t>(status.st_size) > limit)
-    return refuse(too_large());
+  if (regular && static_cast<std::uint64_t>(status.st_size) > limit) return refuse(too_large());
 
   std::string text;
-  if (known && S_ISREG(status.st_mode)) text.reserve(static_cast<std::size_t>(status.st_size));
+  if (regular) text.reserve(static_cast<std::size_t>(status.st_size));
   std::array<char, 65536> buffer;
+  bool asked = regular || goes_on == nullptr;
   for (;;) {
     const ssize_t got = ::read(descriptor, buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;
@@ -66,54 +67,46 @@ Result<std::string> read_file(const std::string& path, std::uint64_t limit) {
     if (got == 0) break;
     text.append(buffer.data(), static_cast<std::size_t>(got));
     if (text.size() > limit) return refuse(too_large());
+    if (asked || text.size() < kBeginning) continue;
+    asked = true;
+    if (!goes_on(text)) break;
   }
+  if (regular && text.size() < static_cast<std::size_t>(status.st_size))
+    return refuse(phrase(Word::path_shortened));
   ::close(descriptor);
   return text;
 }
 
-Result<FileText> FileText::open(const std::string& path, std::uint64_t limit) {
-  constexpr off_t kLarge = off_t{1} << 24;
-  FileText file;
+std::optional<LargeFile> LargeFile::open(const std::string& path, std::uint64_t limit) {
+  constexpr std::uint64_t kLarge = std::uint64_t{1} << 24;
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) return {};
+  LargeFile file(descriptor, 0);
   struct stat status {};
-  if (path != "-" && ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) &&
-      status.st_size >= kLarge && static_cast<std::uint64_t>(status.st_size) <= limit) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor >= 0) {
-      const auto size = static_cast<std::size_t>(status.st_size);
-      void* mapped = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
-      ::close(descriptor);
-      if (mapped != MAP_FAILED) {
-        ::madvise(mapped, size, MADV_SEQUENTIAL);
-        file.mapped_ = mapped;
-        file.size_ = size;
-        return file;
-      }
-    }
-  }
-  Result<std::string> text = read_file(path, limit);
-  if (!text) return tl::make_unexpected(text.error());
-  file.text_ = std::move(*text);
+  if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return {};
+  file.size_ = static_cast<std::uint64_t>(status.st_size);
+  if (file.size_ < kLarge || file.size_ > limit) return {};
   return file;
 }
 
-FileText::FileText(FileText&& other) noexcept
-    : text_(std::move(other.text_)),
-      mapped_(std::exchange(other.mapped_, nullptr)),
-      size_(other.size_) {}
+LargeFile::LargeFile(LargeFile&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)), size_(other.size_), at_(other.at_) {}
 
-FileText::~FileText() {
-  if (mapped_ != nullptr) ::munmap(mapped_, size_);
+LargeFile::~LargeFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-std::string_view FileText::view() const {
-  return mapped_ != nullptr ? std::string_view(static_cast<const char*>(mapped_), size_) : text_;
-}
-
-void FileText::pass(const char* at) const {
-  if (mapped_ == nullptr) return;
-  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-  const auto passed = static_cast<std::size_t>(at - static_cast<const char*>(mapped_));
-  ::madvise(mapped_, std::min(passed, size_) / page * page, MADV_DONTNEED);
+std::size_t LargeFile::read(char* bytes, std::size_t count) {
+  std::size_t all = 0;
+  while (all < count) {
+    const ssize_t got = ::pread(descriptor_, bytes + all, count - all, static_cast<off_t>(at_));
+    if (got < 0 && errno == EINTR) continue;
+    shortened_ = shortened_ || (got == 0 && at_ < size_);
+    if (got <= 0) break;
+    all += static_cast<std::size_t>(got);
+    at_ += static_cast<std::uint64_t>(got);
+  }
+  return all;
 }
 
 Result<void> make_folder(const std::string& path) {

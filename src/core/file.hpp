@@ -3,35 +3,45 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <zraka/diagnostic.hpp>
 
 namespace zraka {
 
-/// The bytes of a regular file of at most `limit` bytes; "-" is standard input.
-Result<std::string> read_file(const std::string& path, std::uint64_t limit);
+/// Whether there is any use in more, given the beginning of what is read.
+using GoesOn = std::function<bool(std::string_view beginning)>;
 
-/// The text of a file for a reader that goes through it from front to back. A large regular file
-/// is mapped, not read, and what the reader has passed takes no memory; whoever shortens such a
-/// file while it is being read ends the program.
-class FileText {
+/// The bytes of a file of at most `limit` bytes; "-" is standard input. Of a pipe or the like,
+/// whose end nobody knows, only the first 2^20 bytes if `goes_on` says no to them.
+Result<std::string> read_file(const std::string& path, std::uint64_t limit,
+                              const GoesOn& goes_on = {});
+
+/// A regular file that is read from front to back in parts.
+class LargeFile {
  public:
-  /// As read_file().
-  static Result<FileText> open(const std::string& path, std::uint64_t limit);
-  FileText(FileText&& other) noexcept;
-  FileText& operator=(FileText&&) = delete;
-  ~FileText();
+  /// Nothing if the file is not a regular one, or not large, or larger than `limit`, or cannot be
+  /// read: read_file() has words for it.
+  static std::optional<LargeFile> open(const std::string& path, std::uint64_t limit);
+  LargeFile(LargeFile&& other) noexcept;
+  LargeFile& operator=(LargeFile&&) = delete;
+  ~LargeFile();
 
-  std::string_view view() const;
-  /// What lies before `at` will hardly be looked at again.
-  void pass(const char* at) const;
+  /// When it was opened.
+  std::uint64_t size() const { return size_; }
+  /// The next bytes, fewer only where the file ends or cannot be read.
+  std::size_t read(char* bytes, std::size_t count);
+  void rewind() { at_ = 0; }
+  /// Whether reading came to an end before the size that the file had.
+  bool shortened() const { return shortened_; }
 
  private:
-  FileText() = default;
-  std::string text_;
-  void* mapped_ = nullptr;
-  std::size_t size_ = 0;
+  LargeFile(int descriptor, std::uint64_t size) : descriptor_(descriptor), size_(size) {}
+  int descriptor_;
+  std::uint64_t size_, at_ = 0;
+  bool shortened_ = false;
 };
 
 /// Makes a folder, and those above it, where it is not there yet.

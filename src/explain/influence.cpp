@@ -56,22 +56,23 @@ std::uint8_t bit_of(const std::vector<RayKind>& path, bool shadow) {
                                 : kSeen;
 }
 
-/// The slot of a shape of a frozen scene.
-std::int32_t slot_of(const FrozenScene<float>& scene, const ShapeId& shape) {
+/// The slots of a shape of a frozen scene: one, or more if it is in pieces.
+std::vector<std::int32_t> slots_of(const FrozenScene<float>& scene, const ShapeId& shape) {
   std::int32_t slots = 0;
 #define ZRAKA_COUNT(Type, plural) slots += scene.plural.count;
   ZRAKA_KINDS(ZRAKA_COUNT)
 #undef ZRAKA_COUNT
+  std::vector<std::int32_t> its;
   for (std::int32_t slot = 0; slot < slots; ++slot)
-    if (shape_in_slot(scene, slot) == shape) return slot;
-  return -1;
+    if (shape_in_slot(scene, slot) == shape) its.push_back(slot);
+  return its;
 }
 
 /// One thread's listener and what it has noted.
 class WayReader {
  public:
-  WayReader(std::int32_t slot, bool corners, std::int32_t batch, int max_depth)
-      : slot_(slot),
+  WayReader(std::vector<std::int32_t> slots, bool corners, std::int32_t batch, int max_depth)
+      : slots_(std::move(slots)),
         corners_(corners),
         workspace_(batch, max_depth),
         terms_(batch, *this),
@@ -102,13 +103,16 @@ class WayReader {
   std::size_t depth_of(const Level<float>& level) {
     return static_cast<std::size_t>(&level - workspace_.workspace().levels);
   }
+  bool is_its(std::int32_t slot) const {
+    return std::find(slots_.begin(), slots_.end(), slot) != slots_.end();
+  }
   void note(std::size_t depth, std::size_t ray, bool shadow);
   void leave_each_once() {
     std::sort(notes_.begin(), notes_.end());
     notes_.erase(std::unique(notes_.begin(), notes_.end()), notes_.end());
   }
 
-  std::int32_t slot_;
+  std::vector<std::int32_t> slots_;
   bool corners_;
   WorkspaceMemory<float> workspace_;
   RecordedTerms terms_;
@@ -136,7 +140,7 @@ void WayReader::at_hits(const Level<float>& level, const Scratch<float>& s) {
   const auto begin = static_cast<std::size_t>(level.done);
   for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
     const auto ray = static_cast<std::size_t>(level.hits.ray[h]);
-    if (s.slot[ray] == slot_) note(depth_of(level), begin + ray, false);
+    if (is_its(s.slot[ray])) note(depth_of(level), begin + ray, false);
   }
 }
 
@@ -145,7 +149,7 @@ void WayReader::at_light(std::int32_t, std::size_t shadow_rays, const Level<floa
   const auto begin = static_cast<std::size_t>(level.done);
   for (std::size_t i = 0; i < shadow_rays; ++i) {
     const auto h = static_cast<std::size_t>(s.shadow_ray_hit[i]);
-    if (s.lit[h] > 0 || terms_.blocker(i, s) != slot_) continue;
+    if (s.lit[h] > 0 || !is_its(terms_.blocker(i, s))) continue;
     note(depth_of(level), begin + static_cast<std::size_t>(level.hits.ray[h]), true);
   }
 }
@@ -212,8 +216,8 @@ Result<Influence> influence(const Scene& scene, const RenderOptions& options,
   try {
     const PreparedScene<float> prepared = prepare<float>(scene, options.profile);
     const FrozenScene<float>& frozen = prepared.store->scene;
-    const std::int32_t slot = slot_of(frozen, shape);
-    if (slot < 0) return failure("", "the scene does not have this shape");
+    const std::vector<std::int32_t> slots = slots_of(frozen, shape);
+    if (slots.empty()) return failure("", "the scene does not have this shape");
 
     Influence found;
     found.width = scene.resolution.width;
@@ -224,7 +228,7 @@ Result<Influence> influence(const Scene& scene, const RenderOptions& options,
     const auto readers = listen_to_tiles<WayReader>(
         scene.resolution, options,
         [&](std::int32_t batch) {
-          return std::make_unique<WayReader>(slot, corners, batch, settings.max_depth);
+          return std::make_unique<WayReader>(slots, corners, batch, settings.max_depth);
         },
         [&](WayReader& reader, const TileRect& rect) {
           reader.read(frozen, settings, rect, found);

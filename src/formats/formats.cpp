@@ -36,12 +36,12 @@ const Format* format_of(std::string_view text, std::string_view name) {
   return nullptr;
 }
 
-Result<ReadScene> parse_text(std::string_view text, const std::string& name, const Passed& passed) {
+Result<ReadScene> parse_text(std::string_view text, const std::string& name) {
   const Format* const format = format_of(text, name);
   if (format == nullptr)
     return failure(name, phrase(Word::path_no_format), phrase(Word::path_formats));
   Result<ReadScene> read = text.size() <= format->largest
-                               ? format->parse(text, name, passed)
+                               ? format->parse(text, name)
                                : failure(name, phrase(Word::path_too_large, format->largest));
   if (read) read->scene.format = format->name;
   return read;
@@ -50,14 +50,31 @@ Result<ReadScene> parse_text(std::string_view text, const std::string& name, con
 }  // namespace
 
 Result<ReadScene> parse_scene(std::string_view text, const std::string& name) {
-  return parse_text(text, name, [](const char*) {});
+  return parse_text(text, name);
 }
 
 Result<ReadScene> read_scene(const std::string& path) {
-  const Result<FileText> file = FileText::open(path, kFormats.front().largest);
-  if (!file) return tl::make_unexpected(file.error());
-  return parse_text(file->view(), path == "-" ? "standard input" : path,
-                    [&](const char* at) { file->pass(at); });
+  constexpr std::size_t kBeginning = std::size_t{1} << 16, kBlock = std::size_t{1} << 18;
+  const Format& nff = kFormats.front();
+  if (std::optional<LargeFile> file = LargeFile::open(path, nff.largest)) {
+    std::string beginning(kBeginning, '\0');
+    beginning.resize(file->read(beginning.data(), kBeginning));
+    file->rewind();
+    if (format_of(beginning, path) == &nff)
+      if (std::optional<ReadScene> read = read_nff_by_blocks(*file, path, kBlock)) {
+        read->scene.format = nff.name;
+        return std::move(*read);
+      }
+    if (file->shortened()) return failure(path, phrase(Word::path_shortened));
+  }
+  // What comes without end is not waited for where its beginning is no scene's.
+  const auto goes_on = [&](std::string_view beginning) {
+    const Format* const format = format_of(beginning, path);
+    return format != nullptr && format->likeness(beginning) == Likeness::sure;
+  };
+  const Result<std::string> text = read_file(path, nff.largest, goes_on);
+  if (!text) return tl::make_unexpected(text.error());
+  return parse_text(*text, path == "-" ? "standard input" : path);
 }
 
 }  // namespace zraka

@@ -3,15 +3,14 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <zraka/formats.hpp>
 
 namespace zraka {
 
-/// A reader of large files calls it now and then with the place that it has come to.
-using Passed = std::function<void(const char* at)>;
+class LargeFile;
 
 /// Whether a text may be of a format.
 enum class Likeness { none, possible, sure };
@@ -21,7 +20,7 @@ struct Format {
   std::string_view ending;  ///< of its files' names, if any tells
   std::uint64_t largest;  ///< bytes that a file may have; the first format's is the largest of all
   Likeness (*likeness)(std::string_view text);  ///< after a byte order mark, if there is one
-  Result<ReadScene> (*parse)(std::string_view text, const std::string& name, const Passed& passed);
+  Result<ReadScene> (*parse)(std::string_view text, const std::string& name);
 };
 
 /// May stand before any UTF-8.
@@ -30,13 +29,17 @@ inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 /// Sure where the text begins, comments aside, with a statement of NFF, whether or not it may stand
 /// first.
 Likeness likeness_to_nff(std::string_view text);
-Result<ReadScene> parse_nff(std::string_view text, const std::string& name, const Passed& passed);
+Result<ReadScene> parse_nff(std::string_view text, const std::string& name);
 /// The same by blocks of about so many bytes, on all threads.
 Result<ReadScene> parse_nff_by_blocks(std::string_view text, const std::string& name,
-                                      const Passed& passed, std::size_t block);
+                                      std::size_t block);
+/// Reads a file of NFF block by block, so that it is never in memory whole. Nothing where there is
+/// any problem with it, even one to warn of: parse_nff() has words for it.
+std::optional<ReadScene> read_nff_by_blocks(LargeFile& file, const std::string& name,
+                                            std::size_t block);
 /// Sure where the text begins with a label or a value, possible where its first line may have been
 /// meant as one, or if it is empty or no text, which the reader has words for.
 Likeness likeness_to_lab_input(std::string_view text);
-Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name, const Passed&);
+Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name);
 
 }  // namespace zraka

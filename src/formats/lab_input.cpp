@@ -356,7 +356,7 @@ Likeness likeness_to_lab_input(std::string_view text) {
                                                                        : Likeness::none;
 }
 
-Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name, const Passed&) {
+Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name) {
   return Reader(text, name).read();
 }
 

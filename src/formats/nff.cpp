@@ -5,13 +5,18 @@
 #include <tbb/parallel_pipeline.h>
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
+#include <mutex>
+#include <vector>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
+#include "core/file.hpp"
 #include "core/handover.hpp"
 #include "core/text.hpp"
+#include "core/unset_vector.hpp"
 #include "formats/formats.hpp"
 #include "formats/nff_reader.hpp"
 
@@ -19,7 +24,8 @@ namespace zraka {
 namespace {
 
 struct Block {
-  const char *begin, *end;
+  UnsetVector<char> memory;  ///< of its text, where that is no part of a larger one
+  std::string_view text;
   NffReader reader;
   bool shapes_only = false;
   Handover to_reader, from_reader;
@@ -39,6 +45,62 @@ const char* next_block(const char* at, const char* end, std::size_t size) {
   for (at += size; (at = std::find(at, end, '\n')) != end;)
     if (begins_statement(++at, end)) return at;
   return end;
+}
+
+/// The last line's begin within a text from which on the file can be read for itself, else 0.
+std::size_t last_begin(std::string_view text) {
+  const char* const end = text.data() + text.size();
+  for (std::size_t at = text.size(); at > 0;) {
+    at = text.rfind('\n', at - 1);
+    if (at == std::string_view::npos) return 0;
+    if (begins_statement(text.data() + at + 1, end)) return at + 1;
+  }
+  return 0;
+}
+
+bool one_thread() {
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) < 2;
+}
+
+/// Reads blocks side by side, as far as they are shapes. cut() makes the next one, or none after
+/// the last; join(block) gets them in their order.
+template <class Cut, class Join>
+void read_blocks(const Cut& cut, const Join& join) {
+  constexpr std::size_t kBlocksAtOnce = 6;
+  Handover cutting, joining;
+  using Token = std::shared_ptr<Block>;
+  const auto cut_one = [&](tbb::flow_control& flow) -> Token {
+    cutting.take();
+    Token block(cut());
+    if (block == nullptr) {
+      flow.stop();
+      return nullptr;
+    }
+    block->to_reader.give();
+    cutting.give();
+    return block;
+  };
+  const auto read = [](const Token& block) {
+    block->to_reader.take();
+    block->shapes_only = block->reader.read_shapes();
+    block->from_reader.give();
+    return block;
+  };
+  const auto join_one = [&](const Token& block) {
+    block->from_reader.take();
+    joining.take();
+    join(*block);
+    joining.give();
+  };
+  using tbb::filter_mode;
+  tbb::parallel_pipeline(kBlocksAtOnce,
+                         tbb::make_filter<void, Token>(filter_mode::serial_in_order, cut_one) &
+                             tbb::make_filter<Token, Token>(filter_mode::parallel, read) &
+                             tbb::make_filter<Token, void>(filter_mode::serial_in_order, join_one));
+  joining.take();
+#ifdef __GLIBC__
+  malloc_trim(0);  // else the blocks' memory waits on the heap while the hierarchy needs it
+#endif
 }
 
 }  // namespace
@@ -63,64 +125,91 @@ Likeness likeness_to_nff(std::string_view text) {
   return Likeness::none;
 }
 
-Result<ReadScene> parse_nff(std::string_view text, const std::string& name, const Passed& passed) {
+Result<ReadScene> parse_nff(std::string_view text, const std::string& name) {
   constexpr std::size_t kBlock = std::size_t{1} << 20;
-  const bool alone =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) < 2;
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  if (!alone && text.size() > 2 * kBlock) return parse_nff_by_blocks(text, name, passed, kBlock);
-  NffReader reader(text, name, passed);
+  if (!one_thread() && text.size() > 2 * kBlock) return parse_nff_by_blocks(text, name, kBlock);
+  NffReader reader(text, name, text.size());
   reader.read_to(text.data() + text.size());
   return reader.finish();
 }
 
 Result<ReadScene> parse_nff_by_blocks(std::string_view text, const std::string& name,
-                                      const Passed& passed, std::size_t size) {
-  constexpr std::size_t kBlocksAtOnce = 6;
+                                      std::size_t size) {
   const char *next = text.data(), *const end = next + text.size();
-  const Passed nobody = [](const char*) {};
-  NffReader whole(text, name, passed);
-  Handover cutting, joining;
-  using Token = std::shared_ptr<Block>;
-  const auto cut = [&](tbb::flow_control& flow) -> Token {
-    cutting.take();
-    if (next == end) {
-      flow.stop();
-      return nullptr;
-    }
+  NffReader whole(text, name, text.size());
+  const auto cut = [&]() -> std::unique_ptr<Block> {
+    if (next == end) return nullptr;
     const char* begin = next;
     next = next_block(begin, end, size);
     const std::string_view part(begin, static_cast<std::size_t>(next - begin));
-    Token block(new Block{begin, next, NffReader(part, name, nobody), false, {}, {}});
-    block->to_reader.give();
-    cutting.give();
-    return block;
-  };
-  const auto read = [](const Token& block) {
-    block->to_reader.take();
-    block->shapes_only = block->reader.read_shapes();
-    block->from_reader.give();
-    return block;
+    return std::unique_ptr<Block>(
+        new Block{{}, part, NffReader(part, name, part.size()), false, {}, {}});
   };
   // What is no plain block is read again where it stands, so that every problem has its words and
   // its place.
-  const auto put_together = [&](const Token& block) {
-    block->from_reader.take();
-    joining.take();
-    const bool taken = block->shapes_only && whole.take(block->reader, block->begin, block->end);
-    if (!taken) whole.read_to(block->end);
-    joining.give();
-  };
-  using tbb::filter_mode;
-  tbb::parallel_pipeline(
-      kBlocksAtOnce, tbb::make_filter<void, Token>(filter_mode::serial_in_order, cut) &
-                         tbb::make_filter<Token, Token>(filter_mode::parallel, read) &
-                         tbb::make_filter<Token, void>(filter_mode::serial_in_order, put_together));
-  joining.take();
-#ifdef __GLIBC__
-  malloc_trim(0);  // else the blocks' memory waits on the heap while the hierarchy needs it
-#endif
+  read_blocks(cut, [&](const Block& block) {
+    const char *begin = block.text.data(), *after = begin + block.text.size();
+    if (!block.shapes_only || !whole.comes_to(begin) || !whole.take(block.reader, after))
+      whole.read_to(after);
+  });
   return whole.finish();
+}
+
+std::optional<ReadScene> read_nff_by_blocks(LargeFile& file, const std::string& name,
+                                            std::size_t size) {
+  constexpr std::size_t kMostOfBlocks = 64;  // sizes that a block may take until a statement begins
+  // Of what was read; and the memory of blocks that are done, for touching new memory takes longer
+  // than reading into it.
+  UnsetVector<char> left;
+  std::vector<UnsetVector<char>> spare;
+  std::mutex sparing;
+  std::atomic<bool> good = true;
+  const auto view = [](const UnsetVector<char>& memory) {
+    return std::string_view(memory.data(), memory.size());
+  };
+  const auto next_text = [&] {
+    UnsetVector<char> text;
+    if (const std::lock_guard lock(sparing); !spare.empty()) {
+      text = std::move(spare.back());
+      spare.pop_back();
+    }
+    text.assign(left.begin(), left.end());
+    left.clear();
+    for (std::size_t begin = 0; begin == 0 && text.size() < kMostOfBlocks * size;) {
+      const std::size_t before = text.size();
+      text.resize(before + size);
+      text.resize(before + file.read(text.data() + before, size));
+      if (text.size() < before + size) return text;
+      begin = last_begin(view(text));
+      if (begin == 0) continue;
+      left.assign(text.begin() + static_cast<std::ptrdiff_t>(begin), text.end());
+      text.resize(begin);
+    }
+    return text;
+  };
+
+  const UnsetVector<char> memory = next_text();
+  std::string_view beginning = view(memory);
+  if (beginning.starts_with(kByteOrderMark)) beginning.remove_prefix(kByteOrderMark.size());
+  NffReader whole(beginning, name, file.size());
+  whole.read_to(beginning.data() + beginning.size());
+  const auto cut = [&]() -> std::unique_ptr<Block> {
+    UnsetVector<char> text = next_text();
+    if (text.empty() || !good) return nullptr;
+    const std::string_view part = view(text);  // stays where it is when its vector is moved
+    return std::unique_ptr<Block>(
+        new Block{std::move(text), part, NffReader(part, name, part.size()), false, {}, {}});
+  };
+  read_blocks(cut, [&](Block& block) {
+    if (!block.shapes_only || !whole.take(block.reader)) good = false;
+    const std::lock_guard lock(sparing);
+    spare.push_back(std::move(block.memory));
+  });
+  if (!good || file.shortened() || !whole.says_nothing()) return {};
+  Result<ReadScene> read = whole.finish();
+  if (!read || !read->warnings.empty()) return {};
+  return std::move(*read);
 }
 
 }  // namespace zraka

@@ -276,7 +276,13 @@ void NffReader::set_scene_up() {
   right = right * (1 / length(right));
   const double tall = 2 * std::tan(angle_ * 3.14159265358979323846 / 360);
   const double aspect = static_cast<double>(scene_.resolution.width) / scene_.resolution.height;
-  scene_.camera = {from_, from_ + along, right * (tall * aspect), cross(right, along) * tall};
+  // The window is 1 away, but where the sum of that and the eye's place would lose its digits.
+  const double most = std::max({std::fabs(from_.x), std::fabs(from_.y), std::fabs(from_.z)});
+  int exponent = 0;
+  if (most > 0x1p20) std::frexp(most, &exponent);
+  const double away = std::ldexp(1, exponent);
+  scene_.camera = {from_, from_ + along * away, right * (tall * aspect * away),
+                   cross(right, along) * (tall * away)};
   // The databases' rule, for formats without intensities.
   const auto n = static_cast<double>(std::max<std::size_t>(1, scene_.lights.size()));
   const double intensity = std::sqrt(n) / (2 * n);
@@ -285,15 +291,14 @@ void NffReader::set_scene_up() {
   scene_.ambient_light = {intensity, intensity, intensity};
 }
 
-/// Every few megabytes: what is read can go, and room is taken for what is likely to come, for a
-/// list that grows by copies is in memory twice.
+/// Every few megabytes room is taken for what is likely to come, for a list that grows by copies is
+/// in memory twice.
 void NffReader::look_ahead() {
-  constexpr std::ptrdiff_t kStep = 1 << 24;
-  if (looked_ahead_ == nullptr) looked_ahead_ = at_;
-  if (at_ - looked_ahead_ < kStep) return;
-  looked_ahead_ = at_;
-  passed_(at_);
-  const double part = static_cast<double>(at_ - text_.data()) / static_cast<double>(text_.size());
+  constexpr std::uint64_t kStep = 1 << 24;
+  const std::uint64_t read = taken_ + static_cast<std::uint64_t>(at_ - text_.data());
+  if (read - looked_ahead_ < kStep) return;
+  looked_ahead_ = read;
+  const double part = static_cast<double>(read) / static_cast<double>(whole_);
   const auto make_room = [&](auto& objects) {
     const double likely = static_cast<double>(objects.size()) / part * 1.01 + 1000;
     if (objects.size() < 1000 || likely <= static_cast<double>(objects.capacity())) return;
@@ -327,10 +332,14 @@ bool NffReader::read_shapes() {
   }
 }
 
-bool NffReader::take(const NffReader& block, const char* begin, const char* end) {
-  if (at_ > begin || !material_) return false;
+bool NffReader::comes_to(const char* place) {
+  if (at_ > place) return false;
   skip_space();
-  if (at_ != begin) return false;
+  return at_ == place;
+}
+
+bool NffReader::take(const NffReader& block, const char* after) {
+  if (!material_) return false;
   std::vector<std::uint32_t> material(block.rows_.size() + 1, *material_);
   for (std::size_t i = 0; i < block.rows_.size(); ++i)
     material[i + 1] = material_of(block.rows_[i]);
@@ -341,7 +350,10 @@ bool NffReader::take(const NffReader& block, const char* begin, const char* end)
 #define ZRAKA_APPEND(Type, plural) append(scene_.plural, block.scene_.plural);
   ZRAKA_SHAPES(ZRAKA_APPEND)
 #undef ZRAKA_APPEND
-  at_ = end;
+  if (after != nullptr)
+    at_ = after;
+  else
+    taken_ += block.text_.size();
   look_ahead();
   return true;
 }

@@ -16,22 +16,28 @@ namespace zraka {
 
 class NffReader {
  public:
-  NffReader(std::string_view text, const std::string& name, const Passed& passed)
+  /// `whole` is the size of the file that the text is the beginning of.
+  NffReader(std::string_view text, const std::string& name, std::uint64_t whole)
       : at_(text.data()),
         end_(at_ + text.size()),
         text_(text),
         name_(name),
         places_(text),
-        passed_(passed) {}
+        whole_(whole) {}
 
   /// Reads the statements that begin before `stop`, on to the end of the last of them.
   void read_to(const char* stop);
   /// Reads the text as a block of shapes and materials that follows upon others. False if it has
   /// anything else in it, a problem among that.
   bool read_shapes();
-  /// Takes a block over that begins at `begin`, ends at `end`, and whose read_shapes() was true.
-  /// False if this reader has not come to `begin`, but beyond.
-  bool take(const NffReader& block, const char* begin, const char* end);
+  /// Takes over what a block holds that follows upon what was read so far, and whose read_shapes()
+  /// was true. This reader goes on at `after`, unless the block is no part of its text. False if
+  /// no material precedes the block.
+  bool take(const NffReader& block, const char* after = nullptr);
+  /// Whether nothing but space is left before `place`; goes there.
+  bool comes_to(const char* place);
+  /// Whether nothing was found that one would have to be told.
+  bool says_nothing() const { return errors_.empty() && warnings_.empty(); }
   bool has_enough() const { return errors_.size() >= kEnoughErrors; }
   Result<ReadScene> finish();
 
@@ -74,8 +80,7 @@ class NffReader {
   std::string_view text_;
   std::string name_;
   TextPositions places_;
-  const Passed& passed_;
-  const char* looked_ahead_ = nullptr;
+  std::uint64_t whole_, taken_ = 0, looked_ahead_ = 0;  ///< bytes
   Scene scene_;
   Diagnostics errors_, warnings_;
   bool viewed_ = false, view_failed_ = false;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <zraka/values.hpp>
 
 #include "math/box.hpp"
@@ -14,6 +15,11 @@ namespace zraka {
 struct Frame {
   Vec3 center;
   double scale = 1;  ///< a power of two, so that scaling by it is exact
+  double reach = 1;  ///< at least as large as all coordinates of shapes
+  /// How wide the picture is where the nearest shape in it lies; infinite where there is none.
+  double width_seen = std::numeric_limits<double>::infinity();
+  /// How far the eye is moved along the view, off a surface that it lies on.
+  double eye_shift = 0;
 
   Vec3 point(const Vec3& world) const {
     return {(world.x - center.x) * scale, (world.y - center.y) * scale,

@@ -5,9 +5,12 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <mutex>
+#include <type_traits>
 #include <zraka/render.hpp>
 
 #include "core/in_parallel.hpp"
+#include "scene/freeze.hpp"
 #include "shapes/shapes.hpp"
 
 namespace zraka {
@@ -25,37 +28,53 @@ namespace {
 /// Squares and products of what is this far stay finite.
 constexpr double kFarthest = 1e100;
 
+bool within_reach(const Vec3& v) {
+  return std::fabs(v.x) <= kFarthest && std::fabs(v.y) <= kFarthest && std::fabs(v.z) <= kFarthest;
+}
+
 bool finite_material(const Material& m) {
   return finite(m.ambient) && finite(m.diffuse) && finite(m.specular) && finite(m.shininess) &&
          finite(m.reflection) && finite(m.refraction) && finite(m.ior);
 }
 
-template <class Shape>
-bool within_reach(const Shape& shape) {
-  const Box box = ShapeTraits<Shape>::bounds(shape);
-  for (const double side :
-       {box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z})
-    if (!(std::fabs(side) <= kFarthest)) return false;
-  return true;
+/// How far a box reaches from the origin.
+double farthest(const Box& box) {
+  return std::max({std::fabs(box.lower.x), std::fabs(box.lower.y), std::fabs(box.lower.z),
+                   std::fabs(box.upper.x), std::fabs(box.upper.y), std::fabs(box.upper.z)});
 }
 
+/// How far from the origin shapes reach, and how far the smallest reaches from its middle.
+struct Extent {
+  double most = 0, least = Box::kInfinity;
+};
+
 template <class Shape>
-void check_objects(const Scene& scene, const std::vector<Object<Shape>>& objects,
+void check_objects(const Scene& scene, const std::vector<Object<Shape>>& objects, Extent& extent,
                    const auto& complain) {
   using Traits = ShapeTraits<Shape>;
+  std::mutex adding;
   // Mostly nothing is wrong, which is soon known; what is said otherwise must come in order.
   std::atomic<bool> good = true;
   in_parallel(objects.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (Traits::check(objects[i].shape) != nullptr || !within_reach(objects[i].shape) ||
+    Extent part;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Box box = Traits::bounds(objects[i].shape);
+      const double reach = box.reach(), most = farthest(box);
+      if (Traits::check(objects[i].shape) != nullptr || !(most <= kFarthest) ||
           objects[i].material >= scene.materials.size())
         good = false;
+      part.most = std::max(part.most, most);
+      if (reach > 0) part.least = std::min(part.least, reach);
+    }
+    const std::lock_guard lock(adding);
+    extent.most = std::max(extent.most, part.most);
+    extent.least = std::min(extent.least, part.least);
   });
   if (good) return;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (const char* problem = Traits::check(objects[i].shape))
       complain(fmt::format("{} {}: {}", Traits::kName, i + 1, problem));
-    if (!within_reach(objects[i].shape))
+    if (!(farthest(Traits::bounds(objects[i].shape)) <= kFarthest))
       complain(fmt::format("{} {}: it reaches farther than {} from the origin", Traits::kName,
                            i + 1, kFarthest));
     if (objects[i].material >= scene.materials.size())
@@ -64,13 +83,70 @@ void check_objects(const Scene& scene, const std::vector<Object<Shape>>& objects
   }
 }
 
+/// Whether floats can hold what the camera sees beside what there is else.
+void check_floats(const Scene& scene, const Extent& extent, const auto& complain) {
+  // Looking for what is seen takes long in large scenes, and most are far from any bound.
+  constexpr std::uint64_t kFewShapes = 65536;
+  constexpr double kFar = 0x1p60;        // has a square
+  constexpr double kFarCorner = 0x1p30;  // has a fourth power
+  constexpr double kFarEdge = 4;         // as far as hit_margin() is enough for
+  constexpr double kLargeCone = 0x1p18;  // widths of the picture: offsets are a quarter of one
+  const Camera& camera = scene.camera;
+  const auto length = [](const Vec3& v) { return std::hypot(v.x, v.y, v.z); };
+  const double away =
+      length({camera.window_center.x - camera.eye.x, camera.window_center.y - camera.eye.y,
+              camera.window_center.z - camera.eye.z});
+  const double pixel = std::fmin(length(camera.window_right) / scene.resolution.width,
+                                 length(camera.window_up) / scene.resolution.height);
+  if (pixel < away * 0x1p-21)
+    complain("the view is too narrow: floats cannot tell the rays of neighbouring pixels apart",
+             "from nearer by, or with fewer pixels, they can");
+  if (scene.shape_count() == 0 ||
+      (scene.shape_count() > kFewShapes && extent.most < 0x1p20 * extent.least))
+    return;
+  const Frame frame = frame_of(scene);
+  const auto reach_of = [&](const Vec3& world) {
+    const Vec3 v = frame.point(world);
+    return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  };
+  if (!(reach_of(camera.eye) <= kFar))
+    complain("the eye is so far from all shapes that floats cannot hold the distance",
+             "move it nearer");
+  const auto look = [&]<class Shape>(const std::vector<Object<Shape>>& objects) {
+    using Traits = ShapeTraits<Shape>;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      const Box box = Traits::bounds(objects[i].shape);
+      const double reach = std::max(reach_of(box.lower), reach_of(box.upper));
+      constexpr bool kRound = std::is_same_v<Shape, Sphere>;
+      const bool too_far = reach > (kRound ? kFar : kFarCorner) ||
+                           (!kRound && frame.length(box.distance_to(frame.center)) > kFarEdge);
+      if (too_far)
+        complain(
+            fmt::format("{} {}: it reaches {:.1g} from what the camera sees, which is so small "
+                        "that floats cannot hold both",
+                        Traits::kName, i + 1, frame.world_length(reach)),
+            "move it nearer, make it smaller or leave it out");
+      else if (std::is_same_v<Shape, Cone> && box.reach() > kLargeCone * frame.width_seen &&
+               box.distance_to(frame.center) < box.reach())
+        complain(fmt::format("{} {}: it is {:.1g} times as large as what the camera sees of it; "
+                             "floats cannot hold that",
+                             Traits::kName, i + 1, box.reach() / frame.width_seen),
+                 "triangles or a sphere in its place can be as large");
+    }
+  };
+#define ZRAKA_LOOK(Type, plural) look(scene.plural);
+  ZRAKA_SHAPES(ZRAKA_LOOK)
+#undef ZRAKA_LOOK
+}
+
 }  // namespace
 
 Diagnostics check(const Scene& scene) {
   constexpr std::size_t kEnough = 20;
   Diagnostics found;
-  const auto complain = [&](std::string message) {
-    if (found.size() < kEnough) found.push_back({.message = std::move(message)});
+  const auto complain = [&](std::string message, std::string hint = {}) {
+    if (found.size() < kEnough)
+      found.push_back({.message = std::move(message), .hint = std::move(hint)});
   };
   const std::uint64_t pixels = std::uint64_t{scene.resolution.width} * scene.resolution.height;
   if (pixels == 0) complain("the picture has no pixels");
@@ -81,11 +157,16 @@ Diagnostics check(const Scene& scene) {
   if (!finite(camera.eye) || !finite(camera.window_center) || !finite(camera.window_right) ||
       !finite(camera.window_up))
     complain("the camera is not finite");
+  else if (!within_reach(camera.eye) || !within_reach(camera.window_center) ||
+           !within_reach(camera.window_right) || !within_reach(camera.window_up))
+    complain(fmt::format("the camera reaches farther than {} from the origin", kFarthest));
   if (!finite(scene.background) || !finite(scene.ambient_light))
     complain("the background or the ambient light is not finite");
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     if (!finite(scene.lights[i].position) || !finite(scene.lights[i].color))
       complain(fmt::format("light {} is not finite", i + 1));
+    else if (!within_reach(scene.lights[i].position))
+      complain(fmt::format("light {} is farther than {} from the origin", i + 1, kFarthest));
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
     if (!finite_material(scene.materials[i])) complain(fmt::format("material {} is not finite", i));
   if (scene.shape_count() > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max()))
@@ -95,9 +176,11 @@ Diagnostics check(const Scene& scene) {
   if (scene.materials.size() > kMostMaterials || scene.lights.size() > kMostMaterials)
     complain(fmt::format("{} materials and {} lights are too many: at most {} of each fit",
                          scene.materials.size(), scene.lights.size(), kMostMaterials));
-#define ZRAKA_CHECK(Type, plural) check_objects(scene, scene.plural, complain);
+  Extent extent;
+#define ZRAKA_CHECK(Type, plural) check_objects(scene, scene.plural, extent, complain);
   ZRAKA_SHAPES(ZRAKA_CHECK)
 #undef ZRAKA_CHECK
+  if (found.empty()) check_floats(scene, extent, complain);
   return found;
 }
 

@@ -2,16 +2,14 @@
 // From the scene as read to the scene as traced: into the engine's frame in double, then narrowed.
 #include "scene/freeze.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <type_traits>
 
-#include "core/handover.hpp"
 #include "core/in_parallel.hpp"
 #include "scene/narrow.hpp"
+#include "scene/pieces.hpp"
 
 namespace zraka {
 namespace {
@@ -30,22 +28,31 @@ FrozenCamera<R> freeze_camera(const Scene& scene, const Profile& profile, const 
   const Camera& camera = scene.camera;
   const double width = scene.resolution.width;
   const double height = scene.resolution.height;
+  const V3<double> center = {camera.window_center.x - camera.eye.x,
+                             camera.window_center.y - camera.eye.y,
+                             camera.window_center.z - camera.eye.z};
+  // Only directions count: the window comes to where their squares stay finite.
+  int exponent = 0;
+  std::frexp(std::max({std::fabs(center.x), std::fabs(center.y), std::fabs(center.z)}), &exponent);
+  const double scale = std::ldexp(1.0, -exponent);
   const auto column =
       V3<double>{camera.window_right.x, camera.window_right.y, camera.window_right.z} *
-      (frame.scale / width);
-  const auto row = V3<double>{camera.window_up.x, camera.window_up.y, camera.window_up.z} *
-                   (-frame.scale / height);
+      (scale / width);
+  const auto row =
+      V3<double>{camera.window_up.x, camera.window_up.y, camera.window_up.z} * (-scale / height);
   // The sheet's pixel is its upper left corner, i = column - resolution/2; others look through
   // centres.
   const double in_pixel = profile.pixel_centers ? 0.5 : 0.0;
-  const V3<double> center = {(camera.window_center.x - camera.eye.x) * frame.scale,
-                             (camera.window_center.y - camera.eye.y) * frame.scale,
-                             (camera.window_center.z - camera.eye.z) * frame.scale};
-  const auto first = center + column * (in_pixel - width / 2) + row * (in_pixel - height / 2);
+  const auto first =
+      center * scale + column * (in_pixel - width / 2) + row * (in_pixel - height / 2);
   const auto to_real = [](const V3<double>& v) {
     return V3<R>{narrow<R>(v.x), narrow<R>(v.y), narrow<R>(v.z)};
   };
-  return {narrow<R>(frame.point(camera.eye)), to_real(first), to_real(column), to_real(row)};
+  const V3<double> ahead = center * (frame.eye_shift / std::sqrt(dot(center, center)));
+  const Vec3 eye = frame.eye_shift > 0 ? Vec3{camera.eye.x + ahead.x, camera.eye.y + ahead.y,
+                                              camera.eye.z + ahead.z}
+                                       : camera.eye;
+  return {narrow<R>(frame.point(eye)), to_real(first), to_real(column), to_real(row)};
 }
 
 template <class R>
@@ -65,64 +72,6 @@ void freeze_material(const Material& m, const Profile& profile, R* row) {
   row[kRatioIn] = narrow<R>(into);
   row[kRatioOut] = narrow<R>(1 / into);
   std::fill(row + kRatioOut + 1, row + kMaterialReals, R(0));
-}
-
-/// Calls function(box) for some shapes, evenly over all.
-template <class Function>
-void each_sample(const Scene& scene, const Function& function) {
-  constexpr std::uint64_t kSamples = 65536;
-  const std::uint64_t step = scene.shape_count() / kSamples + 1;
-  std::uint64_t index = 0;  // over all kinds
-#define ZRAKA_LOOK(Type, plural)                                    \
-  for (; index < scene.plural.size(); index += step)                \
-    function(ShapeTraits<Type>::bounds(scene.plural[index].shape)); \
-  index -= scene.plural.size();
-  ZRAKA_SHAPES(ZRAKA_LOOK)
-#undef ZRAKA_LOOK
-}
-
-/// What `more` makes of all objects, from `none` on; `join` puts two parts' results together.
-template <class T, class Shape, class More, class Join>
-T reduced(const std::vector<Object<Shape>>& objects, const T& none, const More& more,
-          const Join& join) {
-  using Iterator = typename std::vector<Object<Shape>>::const_iterator;
-  Handover handover;
-  handover.give();
-  const T all = tbb::parallel_reduce(
-      tbb::blocked_range<Iterator>(objects.begin(), objects.end(), 65536), none,
-      [&](const tbb::blocked_range<Iterator>& part, T sum) {
-        handover.take();
-        for (const Object<Shape>& object : part) more(sum, object.shape);
-        handover.give();
-        return sum;
-      },
-      join);
-  handover.take();
-  return all;
-}
-
-Box bounds_of(const Scene& scene) {
-  Box bounds;
-  const auto join = [](Box a, const Box& b) {
-    a.include(b);
-    return a;
-  };
-  const auto include = [&]<class Shape>(const std::vector<Object<Shape>>& objects) {
-    const auto more = [](Box& sum, const Shape& shape) {
-      sum.include(ShapeTraits<Shape>::bounds(shape));
-    };
-    bounds.include(reduced(objects, Box(), more, join));
-  };
-#define ZRAKA_INCLUDE(Type, plural) include(scene.plural);
-  ZRAKA_SHAPES(ZRAKA_INCLUDE)
-#undef ZRAKA_INCLUDE
-  return bounds;
-}
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Which of the kinds that there are for them a scene's shapes become.
@@ -160,18 +109,50 @@ std::int32_t first_id_of(const Scene& scene) {
   return static_cast<std::int32_t>(first);
 }
 
-/// Is there a sphere so large beside most shapes that they need their digits where it passes them?
-bool has_ground_sphere(const Scene& scene, const Frame& frame) {
-  const double largest = frame.length(reduced(
-      scene.spheres, 0.0, [](double& most, const Sphere& s) { most = std::max(most, s.radius); },
-      [](double a, double b) { return std::max(a, b); }));
-  std::vector<double> reaches;
-  each_sample(scene, [&](const Box& box) {
-    const Vec3 lower = frame.point(box.lower), upper = frame.point(box.upper);
-    reaches.push_back(std::max({std::fabs(lower.x), std::fabs(lower.y), std::fabs(lower.z),
-                                std::fabs(upper.x), std::fabs(upper.y), std::fabs(upper.z)}));
-  });
-  return !reaches.empty() && largest > 4 * median(reaches);
+/// The pieces of those triangles that are large beside what the camera sees and come near it: of
+/// each the first takes its place, the others come after all triangles.
+template <class Shape>
+struct Pieces {
+  std::vector<std::size_t> cut;  ///< positions of what is cut
+  std::vector<Numbers<Shape>> first, others;
+  std::vector<std::int32_t> parents;  ///< of the others, their positions
+};
+
+template <class Shape, class Read>
+Pieces<Shape> pieces_of(const std::vector<Object<Read>>& objects, const Frame& frame) {
+  // Enough for thousands of such triangles.
+  constexpr std::size_t kMostOfOne = 4096, kMostOfAll = std::size_t{1} << 20;
+  Pieces<Shape> all;
+  if constexpr (kHasPieces<Shape>) {
+    std::mutex adding;
+    in_parallel(objects.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Box box = ShapeTraits<Shape>::bounds(objects[i].shape);
+        if (box.reach() <= std::max(kMostWidths * frame.width_seen, box.distance_to(frame.center)))
+          continue;
+        const std::lock_guard lock(adding);
+        all.cut.push_back(i);
+      }
+    });
+    std::sort(all.cut.begin(), all.cut.end());
+    // Normals of smaller pieces have squares that floats cannot hold.
+    const double fine = std::max(frame.length(frame.width_seen) * kMostWidths / 4, 0x1p-28);
+    std::size_t kept = 0;
+    for (const std::size_t i : all.cut) {
+      Numbers<Shape> whole;
+      ShapeTraits<Shape>::freeze(objects[i].shape, frame, whole.data());
+      std::vector<Numbers<Shape>> pieces;
+      if (all.others.size() > kMostOfAll ||
+          !cut_to_pieces<Shape>(whole, fine, kMostOfOne, pieces) || pieces.size() < 2)
+        continue;
+      all.cut[kept++] = i;
+      all.first.push_back(pieces.front());
+      all.others.insert(all.others.end(), pieces.begin() + 1, pieces.end());
+      all.parents.resize(all.others.size(), static_cast<std::int32_t>(i));
+    }
+    all.cut.resize(kept);
+  }
+  return all;
 }
 
 bool all_are_cylinders(const std::vector<Object<Cone>>& cones) {
@@ -181,17 +162,6 @@ bool all_are_cylinders(const std::vector<Object<Cone>>& cones) {
 }
 
 }  // namespace
-
-Frame frame_of(const Scene& scene) {
-  std::vector<double> x, y, z;
-  each_sample(scene, [&](const Box& box) {
-    x.push_back(box.lower.x / 2 + box.upper.x / 2);
-    y.push_back(box.lower.y / 2 + box.upper.y / 2);
-    z.push_back(box.lower.z / 2 + box.upper.z / 2);
-  });
-  if (x.empty()) return {};
-  return Frame::around({median(x), median(y), median(z)}, bounds_of(scene));
-}
 
 template <class R>
 std::uint64_t FrozenStore<R>::bytes() const {
@@ -206,6 +176,7 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
   auto store = std::make_unique<FrozenStore<R>>();
   FrozenScene<R>& frozen = store->scene;
   frozen.camera = freeze_camera<R>(scene, profile, frame);
+  frozen.reach = narrow<R>(frame.reach);
   frozen.background = narrow<R>(scene.background);
   frozen.ambient_light = narrow<R>(scene.ambient_light);
 
@@ -217,13 +188,18 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
 
   // One array for all the numbers: materials first, then column by column of each kind of shape.
   const ChosenKinds chosen{has_ground_sphere(scene, frame), all_are_cylinders(scene.cones)};
-  std::size_t reals = scene.materials.size() * kMaterialReals;
-#define ZRAKA_COUNT(Type, plural)                                      \
-  reals += (objects_as<Type>(scene, chosen).size() + kColumnPadding) * \
-           static_cast<std::size_t>(ShapeTraits<Type>::kReals);
+  std::size_t reals = scene.materials.size() * kMaterialReals, slots = 0;
+  const auto add_room = [&]<class Shape>(const auto& objects, const Pieces<Shape>& pieces) {
+    const std::size_t room = objects.size() + pieces.others.size() + kColumnPadding;
+    reals += room * static_cast<std::size_t>(ShapeTraits<Shape>::kReals);
+    slots += room;
+  };
+#define ZRAKA_COUNT(Type, plural)                                                    \
+  auto pieces_of_##plural = pieces_of<Type>(objects_as<Type>(scene, chosen), frame); \
+  add_room(objects_as<Type>(scene, chosen), pieces_of_##plural);
   ZRAKA_KINDS(ZRAKA_COUNT)
 #undef ZRAKA_COUNT
-  store->materials.resize(scene.shape_count() + kKinds * kColumnPadding);
+  store->materials.resize(slots);
   store->reals.resize(reals);
   R* real = store->reals.data();
   std::int32_t* material = store->materials.data();
@@ -235,31 +211,45 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
   }
 
   std::int32_t first_slot = 0;
-  const auto freeze_shapes = [&]<class Shape>(const auto& objects, FrozenShapes<R, Shape>& out) {
+  const auto freeze_shapes = [&]<class Shape>(const auto& objects, Pieces<Shape>& pieces,
+                                              FrozenShapes<R, Shape>& out,
+                                              std::vector<std::int32_t>& parents) {
     using Traits = ShapeTraits<Shape>;
-    const std::size_t room = objects.size() + kColumnPadding;
+    const std::size_t count = objects.size() + pieces.others.size();
     R* column[Traits::kReals];
-    for (int k = 0; k < Traits::kReals; ++k, real += room) {
+    for (int k = 0; k < Traits::kReals; ++k, real += count + kColumnPadding) {
       out.column[k] = column[k] = real;
-      std::fill_n(real + objects.size(), kColumnPadding, R(0));
+      std::fill_n(real + count, kColumnPadding, R(0));
     }
     out.material = material;
-    std::fill_n(material + objects.size(), kColumnPadding, 0);
-    out.count = static_cast<std::int32_t>(objects.size());
+    std::fill_n(material + count, kColumnPadding, 0);
+    out.count = static_cast<std::int32_t>(count);
     out.first_slot = first_slot;
     out.first_id = first_id_of<Shape>(scene);
     first_slot += out.count;
+    const auto put_numbers = [&](const double* numbers, std::size_t i) {
+      for (int k = 0; k < Traits::kReals; ++k) column[k][i] = narrow<R>(numbers[k]);
+    };
     in_parallel(objects.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         double numbers[Traits::kReals];
         Traits::freeze(objects[i].shape, frame, numbers);
-        for (int k = 0; k < Traits::kReals; ++k) column[k][i] = narrow<R>(numbers[k]);
+        put_numbers(numbers, i);
         material[i] = static_cast<std::int32_t>(objects[i].material);
       }
     });
-    material += room;
+    for (std::size_t i = 0; i < pieces.cut.size(); ++i)
+      put_numbers(pieces.first[i].data(), pieces.cut[i]);
+    for (std::size_t i = 0; i < pieces.others.size(); ++i) {
+      put_numbers(pieces.others[i].data(), objects.size() + i);
+      material[objects.size() + i] = material[pieces.parents[i]];
+    }
+    material += count + kColumnPadding;
+    parents = std::move(pieces.parents);
   };
-#define ZRAKA_FREEZE(Type, plural) freeze_shapes(objects_as<Type>(scene, chosen), frozen.plural);
+#define ZRAKA_FREEZE(Type, plural)                                                  \
+  freeze_shapes(objects_as<Type>(scene, chosen), pieces_of_##plural, frozen.plural, \
+                store->parents[kKindOf##Type]);
   ZRAKA_KINDS(ZRAKA_FREEZE)
 #undef ZRAKA_FREEZE
   return store;

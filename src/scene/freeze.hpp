@@ -2,7 +2,9 @@
 // From the scene as read to the scene as traced.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <vector>
 #include <zraka/render.hpp>
 #include <zraka/scene.hpp>
 
@@ -19,12 +21,23 @@ struct FrozenStore {
   UnsetVector<R> reals, rows;
   UnsetVector<std::int32_t> materials, ids;
   std::vector<FrozenLight<R>> lights;
+  /// By kind: of those shapes after the last one read that are pieces of others, which ones.
+  std::array<std::vector<std::int32_t>, kKinds> parents;
   std::uint64_t bytes() const;
 };
 
+/// A surface that errs by 2^-20 of its distance from the frame's centre, as offsets of secondary
+/// rays have it, is less than a tenth of a pixel off in a picture of a thousand pixels' width if
+/// that distance is no more than so many such widths.
+inline constexpr double kMostWidths = 64;
+
 /// The engine's frame for a scene: centred on the median of its shapes, where most of the detail
-/// is. A middle of the bounds would let one huge sphere, a ground, take the other shapes' digits.
+/// is, unless that is far from what the camera sees; then on the nearest that it sees.
 Frame frame_of(const Scene& scene);
+
+/// Is there a sphere so large beside most shapes, or beside what the camera sees, that they need
+/// their digits where it passes them?
+bool has_ground_sphere(const Scene& scene, const Frame& frame);
 
 /// Freezes a scene that check() finds nothing wrong with, its shapes in the order that they were
 /// read; the scene is not needed any more then. R is float, or double for the oracle.

@@ -79,6 +79,7 @@ struct FrozenShapes {
 template <class R>
 struct FrozenScene {
   FrozenCamera<R> camera;
+  R reach;  ///< at least as large as all coordinates of shapes, and as 1
   V3<R> background;
   V3<R> ambient_light;
   const FrozenLight<R>* lights;

@@ -2,6 +2,7 @@
 #include "scene/polygon.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -49,6 +50,70 @@ double squared_distance(const Vec3& a, const Vec3& b) {
   return d.x * d.x + d.y * d.y + d.z * d.z;
 }
 
+/// Corners by where they lie, to be asked for those near a triangle.
+class CornerGrid {
+ public:
+  CornerGrid() = default;
+  CornerGrid(const std::vector<Point>& points, const std::vector<std::uint32_t>& corners)
+      : count_(corners.size()), held_(points.size()) {
+    if (corners.empty()) return;
+    Point upper = lower_ = points[corners.front()];
+    for (const std::uint32_t i : corners) {
+      lower_ = {std::min(lower_.x, points[i].x), std::min(lower_.y, points[i].y)};
+      upper = {std::max(upper.x, points[i].x), std::max(upper.y, points[i].y)};
+      held_[i] = true;
+    }
+    side_ = static_cast<std::size_t>(std::sqrt(static_cast<double>(corners.size()))) + 1;
+    const auto cells = static_cast<double>(side_);
+    // Where all lie on a line the other axis has no extent, and one cell.
+    per_x_ = upper.x > lower_.x ? cells / (upper.x - lower_.x) : 0;
+    per_y_ = upper.y > lower_.y ? cells / (upper.y - lower_.y) : 0;
+    first_.resize(side_ * side_ + 1);
+    for (const std::uint32_t i : corners) ++first_[cell_of(points[i]) + 1];
+    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    items_.resize(corners.size());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (const std::uint32_t i : corners) items_[next[cell_of(points[i])]++] = i;
+  }
+
+  std::size_t count() const { return count_; }
+  void remove(std::uint32_t corner) {
+    if (held_[corner]) --count_;
+    held_[corner] = false;
+  }
+  /// Does the predicate hold for any corner in the cells that the triangle reaches into? Each cell
+  /// and corner is taken off `looks`.
+  template <class Predicate>
+  bool any_near(const std::array<Point, 3>& triangle, std::int64_t& looks,
+                const Predicate& predicate) const {
+    if (count_ == 0) return false;
+    const auto [x, x_end] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
+    const auto [y, y_end] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
+    for (std::size_t row = row_of(y); row <= row_of(y_end); ++row) {
+      const std::size_t end = first_[row * side_ + column_of(x_end) + 1];
+      for (std::size_t i = first_[row * side_ + column_of(x)]; i < end; ++i, --looks)
+        if (held_[items_[i]] && predicate(items_[i])) return true;
+      --looks;
+    }
+    return false;
+  }
+
+ private:
+  std::size_t index(double place) const {
+    return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(side_ - 1)));
+  }
+  std::size_t column_of(double x) const { return index((x - lower_.x) * per_x_); }
+  std::size_t row_of(double y) const { return index((y - lower_.y) * per_y_); }
+  std::size_t cell_of(const Point& p) const { return row_of(p.y) * side_ + column_of(p.x); }
+
+  std::size_t count_ = 0, side_ = 0;
+  Point lower_{};
+  double per_x_ = 0, per_y_ = 0;
+  std::vector<bool> held_;
+  std::vector<std::size_t> first_;    // of each cell, in items_
+  std::vector<std::uint32_t> items_;  // corners, cell by cell
+};
+
 /// Cuts ears off a polygon (Meisters 1975): corners that turn left and have no other corner in
 /// their triangle. Of these the one comes first whose cut is shortest: what is round is halved
 /// again and again, where corners taken as they come would make a fan of triangles that reach all
@@ -58,7 +123,7 @@ class EarCutter {
   explicit EarCutter(const std::vector<Vec3>& corners)
       : corners_(corners), flat_(flattened(corners)), links_(corners.size()) {
     const auto n = static_cast<std::uint32_t>(corners.size());
-    looks_left_ = 8 * std::int64_t{n} * n + 1000;
+    looks_left_ = std::min(8 * std::int64_t{n} * n + 1000, kMostLooks);
     for (std::uint32_t i = 0; i < n; ++i) links_[i] = {(i + n - 1) % n, (i + 1) % n};
   }
 
@@ -68,8 +133,8 @@ class EarCutter {
     for (std::size_t left = corners_.size(); left > 3; --left) {
       std::optional<std::uint32_t> ear = next_ear();
       // Where corners lie on one another, as at bridges to holes, one may have become an ear
-      // without being a neighbour of what was cut.
-      if (!ear && looks_left_ > 0) {
+      // without being a neighbour of what was cut; not so where none turns right.
+      if (!ear && looks_left_ > 0 && right_.count() > 0) {
         look_at_all(last);
         ear = next_ear();
       }
@@ -112,11 +177,14 @@ class EarCutter {
   }
 
   void look_at_all(std::uint32_t first) {
-    right_.clear();
+    std::vector<std::uint32_t> right;
     each_left(first, [&](std::uint32_t i) {
-      if (turns_right(i)) right_.push_back(i);
+      if (turns_right(i)) right.push_back(i);
       return true;
     });
+    right_ = CornerGrid(flat_, right);
+    straight_.clear();
+    looks_left_ -= static_cast<std::int64_t>(right.size());
     each_left(first, [&](std::uint32_t i) {
       look_at(i);
       return true;
@@ -125,14 +193,13 @@ class EarCutter {
 
   /// Of a polygon without ears the corner that goes without a triangle: one on a line, or on its
   /// neighbour, if there is any; else the polygon crosses itself.
-  std::uint32_t needless_corner(std::uint32_t from) const {
-    std::uint32_t found = links_[from].after;
-    each_left(found, [&](std::uint32_t i) {
-      if (turn_at(i) != 0) return true;
-      found = i;
-      return false;
-    });
-    return found;
+  std::uint32_t needless_corner(std::uint32_t from) {
+    while (!straight_.empty()) {
+      const std::uint32_t corner = straight_.back();
+      straight_.pop_back();
+      if (links_[corner].there && turn_at(corner) == 0) return corner;
+    }
+    return links_[from].after;
   }
 
   /// Returns the one before.
@@ -141,20 +208,20 @@ class EarCutter {
     links_[before].after = after;
     links_[after].before = before;
     links_[corner].there = false;
-    std::erase_if(right_, [&](std::uint32_t i) {
-      return i == corner || ((i == before || i == after) && !turns_right(i));
-    });
+    right_.remove(corner);
+    for (const std::uint32_t i : {before, after})
+      if (!turns_right(i)) right_.remove(i);
     look_at(before);
     look_at(after);
     return before;
   }
 
-  bool is_ear(std::uint32_t corner) const {
+  bool is_ear(std::uint32_t corner) {
     const Link& link = links_[corner];
     const Point &a = flat_[link.before], &b = flat_[corner], &c = flat_[link.after];
     if (!(turn(a, b, c) > 0)) return false;
     // Only corners that turn right can be in the way, and there are none in a convex polygon.
-    return std::none_of(right_.begin(), right_.end(), [&](std::uint32_t i) {
+    return !right_.any_near({a, b, c}, looks_left_, [&](std::uint32_t i) {
       return i != link.before && i != link.after && inside(flat_[i], a, b, c);
     });
   }
@@ -162,7 +229,8 @@ class EarCutter {
   void look_at(std::uint32_t corner) {
     Link& link = links_[corner];
     ++link.looks;
-    looks_left_ -= static_cast<std::int64_t>(1 + right_.size());
+    --looks_left_;
+    if (turn_at(corner) == 0) straight_.push_back(corner);
     if (is_ear(corner))
       ears_.push(
           {squared_distance(corners_[link.before], corners_[link.after]), corner, link.looks});
@@ -180,7 +248,9 @@ class EarCutter {
   const std::vector<Vec3>& corners_;
   std::vector<Point> flat_;
   std::vector<Link> links_;
-  std::vector<std::uint32_t> right_;  ///< corners that turn right
+  CornerGrid right_;                     ///< corners that turn right
+  std::vector<std::uint32_t> straight_;  ///< corners that turned neither way when last looked at
+  static constexpr std::int64_t kMostLooks = std::int64_t{1} << 25;
   /// A polygon that crosses itself may have no ears; then looking for one at every corner again and
   /// again must end.
   std::int64_t looks_left_ = 0;
@@ -191,8 +261,19 @@ class EarCutter {
 }  // namespace
 
 std::vector<std::array<std::uint32_t, 3>> triangulate(const std::vector<Vec3>& corners) {
-  if (corners.size() < 3) return {};
-  return EarCutter(corners).cut();
+  // Corners on the one before them make no triangle.
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < corners.size(); ++i)
+    if (i == 0 || !(corners[i] == corners[kept.back()])) kept.push_back(i);
+  while (kept.size() > 1 && corners[kept.back()] == corners[kept.front()]) kept.pop_back();
+  if (kept.size() < 3) return {};
+  if (kept.size() == corners.size()) return EarCutter(corners).cut();
+  std::vector<Vec3> different;
+  for (const std::uint32_t i : kept) different.push_back(corners[i]);
+  std::vector<std::array<std::uint32_t, 3>> triangles = EarCutter(different).cut();
+  for (auto& triangle : triangles)
+    for (std::uint32_t& corner : triangle) corner = kept[corner];
+  return triangles;
 }
 
 }  // namespace zraka

@@ -30,14 +30,15 @@ std::vector<std::int32_t> kind_starts_of(const FrozenScene<R>& scene) {
 template <class R>
 void refer_to(const FrozenScene<R>& scene, BuildRef* refs) {
   // Intersections err by a few units in the last place of the numbers that they are made of:
-  // coordinates in the scene, at most 1 in this frame, and the eye's. A third of the margin is
-  // theirs (hit_margin()), the rest is more than rounding in the test of a box takes. It is less
+  // coordinates in the scene, mostly at most 1 in this frame, and the eye's. A third of the margin
+  // is theirs (hit_margin()), the rest is more than rounding in the test of a box takes. It is less
   // than what shadow rays from a large flat shape start off its surface, so that they leave its box
   // at once.
   const V3<R>& eye = scene.camera.eye;
   const double margin =
       0x3p-22 *
-      (1 + static_cast<double>(std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)})));
+      (static_cast<double>(scene.reach) +
+       static_cast<double>(std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)})));
   const auto refer = [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
     using Traits = ShapeTraits<Shape>;
     in_parallel(static_cast<std::size_t>(shapes.count), [&](std::size_t begin, std::size_t end) {
@@ -97,16 +98,21 @@ void reorder_by_leaf(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
                      hierarchy.rank.empty() ? nullptr : hierarchy.rank.data()};
   store.ids.resize(store.materials.size());
   std::int32_t* id = store.ids.data();
-  const auto reorder_shapes = [&]<class Shape>(FrozenShapes<R, Shape>& shapes) {
+  const auto reorder_shapes = [&]<class Shape>(FrozenShapes<R, Shape>& shapes,
+                                               const std::vector<std::int32_t>& parents) {
     const auto count = static_cast<std::size_t>(shapes.count);
     const std::int32_t* order =
         hierarchy.order.empty() ? nullptr : hierarchy.order.data() + shapes.first_slot;
     shapes.id = id;
-    const std::int32_t to_id = shapes.first_id - shapes.first_slot;
+    const std::size_t read = count - parents.size();
     in_parallel(count, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        id[i] =
-            order == nullptr ? shapes.first_id + static_cast<std::int32_t>(i) : order[i] + to_id;
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::int32_t before =
+            order == nullptr ? static_cast<std::int32_t>(i) : order[i] - shapes.first_slot;
+        id[i] = before + shapes.first_id;
+        if (const auto at = static_cast<std::size_t>(before); at >= read)
+          id[i] = parents[at - read] + shapes.first_id;
+      }
     });
     std::fill_n(id + count, kColumnPadding, 0);
     id += count + kColumnPadding;
@@ -129,7 +135,7 @@ void reorder_by_leaf(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
     for (const R* column : shapes.column) reorder(column, store.reals);
     reorder(shapes.material, store.materials);
   };
-#define ZRAKA_REORDER(Type, plural) reorder_shapes(scene.plural);
+#define ZRAKA_REORDER(Type, plural) reorder_shapes(scene.plural, store.parents[kKindOf##Type]);
   ZRAKA_KINDS(ZRAKA_REORDER)
 #undef ZRAKA_REORDER
   if (std::is_same_v<R, float> && !hierarchy.order.empty() &&

@@ -37,6 +37,19 @@ struct ShapeTraits<Cone> {
     return box;
   }
 
+  /// From its box, or from the line that turns round the axis to make its side, whichever is
+  /// farther.
+  static double distance_to(const Cone& s, const Vec3& p) {
+    const V3<double> axis{s.apex.x - s.base.x, s.apex.y - s.base.y, s.apex.z - s.base.z};
+    const V3<double> from_base{p.x - s.base.x, p.y - s.base.y, p.z - s.base.z};
+    const double length2 = dot(axis, axis), along = dot(from_base, axis) / length2;
+    const V3<double> across = from_base - axis * along;
+    const double growth = s.apex_radius - s.base_radius;
+    const double outside = std::sqrt(dot(across, across)) - (s.base_radius + growth * along);
+    const double away = std::fabs(outside) / std::sqrt(1 + growth * growth / length2);
+    return std::fmax(bounds(s).distance_to(p), away);
+  }
+
   static Box frozen_bounds(const double* s) {
     const auto along = [&](double y) {
       return Vec3{s[0] + s[3] * y, s[1] + s[4] * y, s[2] + s[5] * y};

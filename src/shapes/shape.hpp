@@ -16,6 +16,7 @@ namespace zraka {
 ///   kReals                         how many numbers the engine needs
 ///   kHitReals                      how many of these, the first, intersect() needs
 ///   bounds(shape)                  a box around it, in world space
+///   distance_to(shape, point)      how far its surface is from a point, or a lower bound of that
 ///   check(shape)                   what is wrong with its parameters, or nullptr
 ///   freeze(shape, frame, out)      the engine's numbers, in the engine's frame
 ///   frozen_bounds(numbers)         a box around it, of the numbers, in the engine's frame

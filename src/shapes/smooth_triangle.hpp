@@ -14,6 +14,10 @@ struct ShapeTraits<SmoothTriangle> {
   static Triangle flat(const SmoothTriangle& s) { return {s.a, s.b, s.c}; }
   static Box bounds(const SmoothTriangle& s) { return ShapeTraits<Triangle>::bounds(flat(s)); }
 
+  static double distance_to(const SmoothTriangle& s, const Vec3& p) {
+    return ShapeTraits<Triangle>::distance_to(flat(s), p);
+  }
+
   static Box frozen_bounds(const double* s) { return ShapeTraits<Triangle>::frozen_bounds(s); }
 
   static const char* check(const SmoothTriangle& s) {

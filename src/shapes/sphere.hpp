@@ -25,6 +25,11 @@ struct ShapeTraits<Sphere> {
             {s.center.x + s.radius, s.center.y + s.radius, s.center.z + s.radius}};
   }
 
+  static double distance_to(const Sphere& s, const Vec3& p) {
+    const double x = p.x - s.center.x, y = p.y - s.center.y, z = p.z - s.center.z;
+    return std::fabs(std::sqrt(x * x + y * y + z * z) - s.radius);
+  }
+
   static const char* check(const Sphere& s) {
     if (!finite(s.center)) return "its centre is not finite";
     if (!(s.radius > 0) || !finite(s.radius)) return "its radius is not a finite number above 0";

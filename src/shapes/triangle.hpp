@@ -26,6 +26,16 @@ struct ShapeTraits<Triangle> {
     return box;
   }
 
+  /// From its box or from its plane, whichever is farther.
+  static double distance_to(const Triangle& s, const Vec3& p) {
+    const V3<double> a{s.a.x, s.a.y, s.a.z};
+    const V3<double> normal =
+        cross(V3<double>{s.b.x, s.b.y, s.b.z} - a, V3<double>{s.c.x, s.c.y, s.c.z} - a);
+    const double away =
+        std::fabs(dot(V3<double>{p.x, p.y, p.z} - a, normal)) / std::sqrt(dot(normal, normal));
+    return std::fmax(bounds(s).distance_to(p), away);  // fmax: a line has no plane
+  }
+
   static Box frozen_bounds(const double* s) {
     return bounds({{s[0], s[1], s[2]}, {s[3], s[4], s[5]}, {s[6], s[7], s[8]}});
   }

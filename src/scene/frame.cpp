@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the engine's frame lies in the world: floats go to what the camera sees.
+#include "math/frame.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/handover.hpp"
+#include "scene/freeze.hpp"
+
+namespace zraka {
+namespace {
+
+/// Nearer and smaller, what is seen has squares of squares that floats cannot hold.
+constexpr double kLeastSeen = 0x1p-22;
+
+double length(const V3<double>& v) {
+  return std::hypot(v.x, v.y, v.z);
+}
+
+V3<double> between(const Vec3& from, const Vec3& to) {
+  return {to.x - from.x, to.y - from.y, to.z - from.z};
+}
+
+/// A cone around all rays of the picture.
+class View {
+ public:
+  explicit View(const Camera& camera) : eye(camera.eye) {
+    const V3<double> center = between(camera.eye, camera.window_center);
+    axis_ = center * (1 / length(center));
+    const V3<double> right{camera.window_right.x, camera.window_right.y, camera.window_right.z};
+    const V3<double> up{camera.window_up.x, camera.window_up.y, camera.window_up.z};
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5}) {
+        const V3<double> corner = center + right * x + up * y;
+        cosine_ = std::min(cosine_, dot(corner, axis_) / length(corner));
+      }
+    sine_ = std::sqrt(std::max(0.0, 1 - cosine_ * cosine_));
+    known_ = cosine_ > 0 && length(center) > 0;
+  }
+
+  /// False only if no ray meets the box.
+  bool may_see(const Box& box) const {
+    if (!known_) return true;
+    const Vec3 middle{box.lower.x / 2 + box.upper.x / 2, box.lower.y / 2 + box.upper.y / 2,
+                      box.lower.z / 2 + box.upper.z / 2};
+    const double radius = length(between(box.lower, box.upper)) / 2;
+    const V3<double> way = between(eye, middle);
+    const double along = dot(way, axis_), across = length(way - axis_ * along);
+    // From the cone's side; or from its tip, where that is nearest.
+    return along * cosine_ + across * sine_ >= 0 ? across * cosine_ - along * sine_ <= radius
+                                                 : length(way) <= radius;
+  }
+
+  Vec3 point_at(double distance) const {
+    return known_ ? Vec3{eye.x + axis_.x * distance, eye.y + axis_.y * distance,
+                         eye.z + axis_.z * distance}
+                  : eye;
+  }
+  /// How wide the picture is at a distance.
+  double width_at(double distance) const {
+    return known_ ? 2 * distance * sine_ / std::max(cosine_, 0.1) : distance;
+  }
+
+  const Vec3 eye;
+
+ private:
+  V3<double> axis_{};
+  double cosine_ = 1, sine_ = 0;
+  bool known_ = false;
+};
+
+/// What there is, and what of it the camera sees.
+struct Survey {
+  Box bounds;
+  double nearest = Box::kInfinity;   ///< distance of the nearest shape seen
+  double smallest = Box::kInfinity;  ///< least size or, if that is more, distance of a shape seen
+};
+
+/// Calls function(box) for some shapes, evenly over all.
+template <class Function>
+void each_sample(const Scene& scene, const Function& function) {
+  constexpr std::uint64_t kSamples = 65536;
+  const std::uint64_t step = scene.shape_count() / kSamples + 1;
+  std::uint64_t index = 0;  // over all kinds
+#define ZRAKA_LOOK(Type, plural)                                    \
+  for (; index < scene.plural.size(); index += step)                \
+    function(ShapeTraits<Type>::bounds(scene.plural[index].shape)); \
+  index -= scene.plural.size();
+  ZRAKA_SHAPES(ZRAKA_LOOK)
+#undef ZRAKA_LOOK
+}
+
+/// What `more` makes of all objects, from `none` on; `join` puts two parts' results together.
+template <class T, class Shape, class More, class Join>
+T reduced(const std::vector<Object<Shape>>& objects, const T& none, const More& more,
+          const Join& join) {
+  using Iterator = typename std::vector<Object<Shape>>::const_iterator;
+  Handover handover;
+  handover.give();
+  const T all = tbb::parallel_reduce(
+      tbb::blocked_range<Iterator>(objects.begin(), objects.end(), 65536), none,
+      [&](const tbb::blocked_range<Iterator>& part, T sum) {
+        handover.take();
+        for (const Object<Shape>& object : part) more(sum, object.shape);
+        handover.give();
+        return sum;
+      },
+      join);
+  handover.take();
+  return all;
+}
+
+Survey survey(const Scene& scene, const View& view) {
+  Survey all;
+  const auto join = [](Survey a, const Survey& b) {
+    a.bounds.include(b.bounds);
+    a.nearest = std::min(a.nearest, b.nearest);
+    a.smallest = std::min(a.smallest, b.smallest);
+    return a;
+  };
+  const auto include = [&]<class Shape>(const std::vector<Object<Shape>>& objects) {
+    const auto more = [&](Survey& sum, const Shape& shape) {
+      const Box box = ShapeTraits<Shape>::bounds(shape);
+      sum.bounds.include(box);
+      // Mostly one coordinate is enough to see that it is farther off.
+      const double gap =
+          std::max({box.lower.x - view.eye.x, view.eye.x - box.upper.x, box.lower.y - view.eye.y,
+                    view.eye.y - box.upper.y, box.lower.z - view.eye.z, view.eye.z - box.upper.z});
+      if (gap >= std::max(sum.nearest, sum.smallest)) return;
+      const double distance = ShapeTraits<Shape>::distance_to(shape, view.eye);
+      const double size = std::max(distance, box.reach());
+      if ((distance < sum.nearest || size < sum.smallest) && view.may_see(box)) {
+        sum.nearest = std::min(sum.nearest, distance);
+        if (size > 0) sum.smallest = std::min(sum.smallest, size);
+      }
+    };
+    all = join(all, reduced(objects, Survey(), more, join));
+  };
+#define ZRAKA_INCLUDE(Type, plural) include(scene.plural);
+  ZRAKA_SHAPES(ZRAKA_INCLUDE)
+#undef ZRAKA_INCLUDE
+  return all;
+}
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Vec3 median_of(const Scene& scene) {
+  std::vector<double> x, y, z;
+  each_sample(scene, [&](const Box& box) {
+    x.push_back(box.lower.x / 2 + box.upper.x / 2);
+    y.push_back(box.lower.y / 2 + box.upper.y / 2);
+    z.push_back(box.lower.z / 2 + box.upper.z / 2);
+  });
+  return {median(x), median(y), median(z)};
+}
+
+}  // namespace
+
+Frame frame_of(const Scene& scene) {
+  if (scene.shape_count() == 0) return {};
+  const View view(scene.camera);
+  const Survey all = survey(scene, view);
+  const Vec3 middle = median_of(scene);
+  if (!(all.nearest < Box::kInfinity)) return Frame::around(middle, all.bounds);
+
+  const Vec3 seen = view.point_at(all.nearest);
+  const bool good = length(between(seen, middle)) <= kMostWidths * view.width_at(all.nearest);
+  Frame frame = Frame::around(good ? middle : seen, all.bounds);
+  if (frame.length(all.smallest) < kLeastSeen) {
+    int exponent = 0;
+    std::frexp(all.smallest, &exponent);
+    const double larger = std::ldexp(kLeastSeen, std::min(1 - exponent, 1000));
+    frame.reach = larger / frame.scale;
+    frame.scale = larger;
+  }
+  // Which side of a surface an eye on it is on would be rounding's choice: what lies before it is
+  // seen.
+  if (all.smallest < Box::kInfinity && all.nearest <= 0x1p-40 * all.smallest)
+    frame.eye_shift = 0x1p-18 * all.smallest;
+  frame.width_seen = view.width_at(std::max(all.nearest, frame.eye_shift));
+  return frame;
+}
+
+bool has_ground_sphere(const Scene& scene, const Frame& frame) {
+  const double largest = frame.length(reduced(
+      scene.spheres, 0.0, [](double& most, const Sphere& s) { most = std::max(most, s.radius); },
+      [](double a, double b) { return std::max(a, b); }));
+  if (largest > kMostWidths * frame.length(frame.width_seen)) return true;
+  std::vector<double> reaches;
+  each_sample(scene, [&](const Box& box) {
+    const Vec3 lower = frame.point(box.lower), upper = frame.point(box.upper);
+    reaches.push_back(std::max({std::fabs(lower.x), std::fabs(lower.y), std::fabs(lower.z),
+                                std::fabs(upper.x), std::fabs(upper.y), std::fabs(upper.z)}));
+  });
+  return !reaches.empty() && largest > 4 * median(reaches);
+}
+
+}  // namespace zraka
