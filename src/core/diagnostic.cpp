@@ -15,7 +15,7 @@ namespace zraka {
 std::string to_string(const Diagnostic& d, Language language) {
   std::string text;
   if (!d.file.empty()) {
-    text += d.file;
+    text += shown_line(d.file);
     if (d.line > 0) text += fmt::format(":{}", d.line);
     if (d.line > 0 && d.column > 0) text += fmt::format(":{}", d.column);
     text += ": ";
