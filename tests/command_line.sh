@@ -46,6 +46,11 @@ cp "$scene" "$folder/own.txt"
 expect 1 "would be written over an input of this command" "$zraka" render "$folder/own.txt" -o "$folder/own.txt"
 cmp -s "$scene" "$folder/own.txt" || fail "a scene was overwritten"
 
+# Bytes of a picture are nothing for a terminal; script gives the program one.
+if command -v script >/dev/null; then
+  expect 2 "'-' is not for a terminal, which shows no PNG" script -qec "'$zraka' render $scene -o -" /dev/null
+fi
+
 # Pictures: silent when piped, the same by number and by name of a stage.
 "$zraka" render "$scene" -o "$folder/a.png" >"$folder/words" 2>&1 || fail "render"
 [ -s "$folder/words" ] && fail "render is not silent: $(cat "$folder/words")"

@@ -57,7 +57,7 @@ done
 "$zraka" explain $scene 230 250 --rays "$folder/rays.obj" >/dev/null || fail "--rays obj"
 [ "$(grep -c '^l ' "$folder/rays.obj")" -ge 12 ] || fail "rays.obj has too few rays"
 "$zraka" explain $scene 230 250 --rays "$folder/rays.gltf" >/dev/null || fail "--rays gltf"
-grep -q '"feeler-blocked"' "$folder/rays.gltf" || fail "rays.gltf has no feelers"
+grep -q '"shadow-ray-blocked"' "$folder/rays.gltf" || fail "rays.gltf has no shadow rays"
 expect 2 "--rays: 'rays.png' is not the name of a .obj or a .gltf" "$zraka" explain $scene 5 5 --rays rays.png
 expect 1 "does its folder exist?" "$zraka" explain $scene 5 5 --rays "$folder/no/rays.obj"
 

@@ -103,7 +103,7 @@ inline void expect_oracle_hits(const Scene& scene, std::size_t count, double sha
           << "ray " << i;
       ASSERT_EQ(got[i].blocked, first[i].blocked)
           << "ray " << i << " by " << name_of(probes[p].isa);
-      ASSERT_EQ(got[i].blocked, got[i].id >= 0) << "a feeler and a ray disagree: " << i;
+      ASSERT_EQ(got[i].blocked, got[i].id >= 0) << "a shadow ray and a ray disagree: " << i;
       hits += want[i].id >= 0;
       const bool same_place = std::fabs(got[i].t - want[i].t) <= 1e-5 * (1 + std::fabs(want[i].t));
       if (got[i].id != want[i].id && !(want[i].id >= 0 && got[i].id >= 0 && same_place))

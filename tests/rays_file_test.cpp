@@ -42,7 +42,7 @@ Scene small_scene() {
 TEST(Segments, GoToWhatTheyMeet) {
   const Scene scene = small_scene();
   const std::vector<Segment> segments = segments_of(scene, explain(scene, lab(), 50, 50).value());
-  ASSERT_EQ(segments.size(), 4u) << "a ray, two feelers to lights before the surface, its mirror";
+  ASSERT_EQ(segments.size(), 4u) << "a ray, two shadow rays to lights before the surface, its mirror";
   const auto expect = [&](std::size_t i, SegmentKind kind, Vec3 from, Vec3 to, bool endless) {
     EXPECT_EQ(segments[i].kind, kind) << i;
     EXPECT_NEAR(std::hypot(segments[i].from.x - from.x, segments[i].from.y - from.y,
@@ -57,8 +57,8 @@ TEST(Segments, GoToWhatTheyMeet) {
   };
   expect(0, SegmentKind::camera, {0, 0, 2}, {0, 0, 0}, false);
   const double edge = 1 - 0.1 * std::sqrt(0.5);
-  expect(1, SegmentKind::feeler_blocked, {0, 0, 0}, {0, edge, edge}, false);
-  expect(2, SegmentKind::feeler_lit, {0, 0, 0}, {0, 0, 8}, false);
+  expect(1, SegmentKind::shadow_ray_blocked, {0, 0, 0}, {0, edge, edge}, false);
+  expect(2, SegmentKind::shadow_ray_lit, {0, 0, 0}, {0, 0, 8}, false);
   expect(3, SegmentKind::reflected, {0, 0, 0}, {0, 0, 1}, true);
 }
 

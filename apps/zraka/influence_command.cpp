@@ -148,8 +148,9 @@ void add_influence(Command& program) {
   app.add("NAME", &arguments->name,
           "the shape: its name in the file, or its kind and number, as in sphere 3")
       .required();
-  app.add("-o,--output", &arguments->output,
-          "also write a PNG with these pixels marked; - is standard output, then alone");
+  check_png_name(
+      app.add("-o,--output", &arguments->output,
+              "also write a PNG with these pixels marked; - is standard output, then alone"));
   app.add("--format", &arguments->format, "text (default) or json").one_of({"text", "json"});
   add_language_to(app, arguments->language);
   app.footer(

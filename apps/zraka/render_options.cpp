@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,9 @@ bool is_png_name(const std::string& path) {
 }  // namespace
 
 void check_png_name(Option option) {
-  option.check("the name of a PNG, the one kind of picture that is written", is_png_name);
+  option.check("the name of a PNG, the one kind of picture that is written", is_png_name)
+      .check("for a terminal, which shows no PNG: name a file, or redirect the output",
+             [](const std::string& path) { return path != "-" || ::isatty(STDOUT_FILENO) == 0; });
 }
 
 std::optional<Stage> stage_named(const std::string& word) {

@@ -9,7 +9,7 @@ namespace zraka {
 
 std::string counted(Language language, Counted what, std::uint64_t number) {
   constexpr Word kFirst[] = {Word::count_pixel_one,     Word::count_ray_one,
-                             Word::count_eye_ray_one,   Word::count_feeler_one,
+                             Word::count_eye_ray_one,   Word::count_shadow_ray_one,
                              Word::count_reflected_one, Word::count_refracted_one,
                              Word::count_color_one,     Word::count_point_one,
                              Word::count_sphere_one,    Word::count_time_one};

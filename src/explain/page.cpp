@@ -157,7 +157,7 @@ void Page::space() {
   button("farther", Word::page_farther);
   put("</div>\n<p class=\"hint\">{}</p>\n<ul class=\"legend\">", say(Word::page_space_hint));
   constexpr Word kKinds[] = {Word::ray_camera, Word::ray_reflected, Word::ray_refracted,
-                             Word::page_feeler_lit, Word::page_feeler_blocked};
+                             Word::page_shadow_ray_lit, Word::page_shadow_ray_blocked};
   for (std::size_t i = 0; i < std::size(kKinds); ++i)
     put("<li><label><input type=\"checkbox\" checked data-kind=\"{0}\"><i class=\"kind{0}\"></i>"
         "{1}</label></li>",

@@ -52,7 +52,7 @@ std::vector<Segment> segments_of(const Scene& scene, const Explanation& explanat
         if (at.reach != Reach::lit && at.reach != Reach::blocked) continue;
         const double whole = at.blocker ? at.blocker->distance : at.distance;
         const double length = std::min(whole, 8 * span);
-        segments.push_back({at.blocker ? SegmentKind::feeler_blocked : SegmentKind::feeler_lit, end,
+        segments.push_back({at.blocker ? SegmentKind::shadow_ray_blocked : SegmentKind::shadow_ray_lit, end,
                             along(end, at.to_light, length), length < whole, t, r, l});
       }
     }

@@ -9,9 +9,9 @@
 
 namespace zraka {
 
-enum class SegmentKind { camera, reflected, refracted, feeler_lit, feeler_blocked };
+enum class SegmentKind { camera, reflected, refracted, shadow_ray_lit, shadow_ray_blocked };
 inline constexpr std::array<std::string_view, 5> kSegmentNames = {
-    "camera", "reflected", "refracted", "feeler-lit", "feeler-blocked"};
+    "camera", "reflected", "refracted", "shadow-ray-lit", "shadow-ray-blocked"};
 
 struct Segment {
   SegmentKind kind = SegmentKind::camera;

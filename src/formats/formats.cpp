@@ -8,6 +8,7 @@
 
 #include "core/file.hpp"
 #include "core/phrase.hpp"
+#include "formats/foreign.hpp"
 
 namespace zraka {
 namespace {
@@ -38,6 +39,12 @@ const Format* format_of(std::string_view text, std::string_view name) {
 
 Result<ReadScene> parse_text(std::string_view text, const std::string& name) {
   const Format* const format = format_of(text, name);
+  // Before all readers: the lab's takes whatever begins with a number, and OBJ has a v as NFF does.
+  if (const ForeignFormat foreign = foreign_format_of(text); !foreign.english.empty())
+    return failure(name,
+                   phrase(Word::path_foreign,
+                          Phrase{std::string(foreign.english), std::string(foreign.croatian)}),
+                   phrase(Word::path_formats));
   if (format == nullptr)
     return failure(name, phrase(Word::path_no_format), phrase(Word::path_formats));
   Result<ReadScene> read = text.size() <= format->largest

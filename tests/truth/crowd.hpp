@@ -49,6 +49,13 @@ class Crowd {
     }
     const Vec3 from = on_unit_sphere(random_);
     scene.camera.eye = place.point({20 * from.x, 20 * from.y, 20 * from.z});
+    scene.camera.window_center = place.origin;
+    const Vec3 right{from.y - from.z, from.z - from.x, from.x - from.y};
+    const auto wide = [&](double x) { return place.length(6 * x); };
+    scene.camera.window_right = {wide(right.x), wide(right.y), wide(right.z)};
+    scene.camera.window_up = {wide(from.y * right.z - from.z * right.y),
+                              wide(from.z * right.x - from.x * right.z),
+                              wide(from.x * right.y - from.y * right.x)};
     frozen_ = std::make_unique<Frozen>(scene);
     listed_ = freeze<float>(scene, profile_of(ProfileName::physical), frame());
     boxes.resize(kShapes);

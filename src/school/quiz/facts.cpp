@@ -46,7 +46,7 @@ class Facts {
 };
 
 void Facts::material() {
-  say(Word::quiz_meets, label_of(language_, hit_.shape, Case::accusative),
+  say(Word::quiz_hits, label_of(language_, hit_.shape, Case::accusative),
       short_vector(language_, hit_.normal));
   std::string numbers;
   const auto add = [&](const char* name, const std::string& number) {

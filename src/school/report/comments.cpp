@@ -168,10 +168,10 @@ void Comments::shadows() {
   change();
   if (scene_.lights == 0) return say(Word::report_no_light);
   if (scene_.covered == 0) return say(Word::report_nothing_seen);
-  if (facts_.rays.shadow == 0) return say(Word::report_no_feelers);
+  if (facts_.rays.shadow == 0) return say(Word::report_no_shadow_rays);
   std::uint64_t blocked = 0;
   for (const LightFacts& light : facts_.lights) blocked += light.blocked;
-  say(Word::report_feelers, count(Counted::shadow_ray, facts_.rays.shadow), grouped(blocked),
+  say(Word::report_shadow_rays, count(Counted::shadow_ray, facts_.rays.shadow), grouped(blocked),
       share(blocked, facts_.rays.shadow));
   if (blocked == 0) return say(Word::report_no_shadow);
   if (facts_.change.pixels > 0) say(Word::report_shadows);

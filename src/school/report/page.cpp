@@ -174,7 +174,7 @@ void Page::times() {
       "<th>{}</th><th>{}</th><th>{}</th><th>{}</th><th>{}</th><th>{}</th><th>ms</th><th>{}</th>"
       "</tr></thead>\n<tbody>\n",
       say(Word::report_times), say(Word::report_column_stage), say(Word::report_column_eye),
-      say(Word::report_column_feelers), say(Word::report_column_reflected),
+      say(Word::report_column_shadow_rays), say(Word::report_column_reflected),
       say(Word::report_column_refracted), say(Word::report_column_all),
       say(Word::report_column_rate));
   for (std::size_t i = 0; i < facts_.stages.size(); ++i) {

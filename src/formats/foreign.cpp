@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/foreign.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/text.hpp"
+
+namespace zraka {
+namespace {
+
+std::string_view line_of(std::string_view text, int number) {
+  for (; number > 0; --number) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  return trimmed(text.substr(0, text.find('\n')));
+}
+
+/// The next word of a line, which loses it.
+std::string_view take_word(std::string_view& line) {
+  line = trimmed(line);
+  const std::string_view word = line.substr(0, line.find_first_of(" \t"));
+  line.remove_prefix(word.size());
+  return word;
+}
+
+/// So many numbers, whatever follows.
+bool has_numbers(std::string_view line, int count) {
+  for (; count > 0; --count)
+    if (!parse_number(take_word(line))) return false;
+  return true;
+}
+
+/// The first line that is neither empty nor a comment, if there is one at the beginning of the
+/// text.
+std::string_view first_statement(std::string_view text, std::string_view comment) {
+  constexpr int kMostLines = 200;
+  for (int i = 0; i < kMostLines; ++i) {
+    const std::string_view line = line_of(text, i);
+    if (!line.empty() && !line.starts_with(comment)) return line;
+  }
+  return {};
+}
+
+bool is_lammps(std::string_view text) {
+  return text.starts_with("ITEM: TIMESTEP") || text.starts_with("ITEM: UNITS");
+}
+
+bool is_pdb(std::string_view text) {
+  constexpr std::string_view kRecords[] = {"HEADER    ", "TITLE     ", "COMPND    ", "REMARK ",
+                                           "CRYST1",     "ATOM  ",     "HETATM",     "MODEL     "};
+  return std::any_of(std::begin(kRecords), std::end(kRecords),
+                     [&](std::string_view record) { return text.starts_with(record); });
+}
+
+/// A count, a line for people, then an element and a position.
+bool is_xyz(std::string_view text) {
+  std::string_view count = line_of(text, 0), atom = line_of(text, 2);
+  if (count.empty() || count.find_first_not_of("0123456789") != std::string_view::npos)
+    return false;
+  const std::string_view element = take_word(atom);
+  return !element.empty() && element.size() <= 3 && !parse_number(element) && has_numbers(atom, 3);
+}
+
+bool is_obj(std::string_view text) {
+  std::string_view line = first_statement(text, "#");
+  const std::string_view word = take_word(line);
+  if (word == "o" || word == "g") return text.find("\nv ") != std::string_view::npos;
+  return (word == "v" && has_numbers(line, 3)) || word == "mtllib";
+}
+
+bool is_povray(std::string_view text) {
+  const std::string_view line = first_statement(text, "//");
+  return line.starts_with("#include") || line.starts_with("#version") ||
+         line.starts_with("#declare") || line.starts_with("global_settings") ||
+         line.starts_with("camera {") || line.starts_with("camera{");
+}
+
+struct Known {
+  bool (*is)(std::string_view text);
+  ForeignFormat name;
+};
+
+constexpr Known kKnown[] = {
+    {is_lammps, {"a LAMMPS dump", "LAMMPS-ov dump"}},
+    {is_pdb, {"a PDB file", "datoteka PDB"}},
+    {[](std::string_view t) { return t.starts_with("data_"); }, {"a CIF file", "datoteka CIF"}},
+    {is_xyz, {"an XYZ file", "datoteka XYZ"}},
+    {[](std::string_view t) { return t.starts_with("\x93NUMPY"); },
+     {"a NumPy array (.npy)", "NumPyjevo polje (.npy)"}},
+    {[](std::string_view t) { return first_statement(t, "#").starts_with("BEGIN_SCENE"); },
+     {"a Tachyon scene", "Tachyonova scena"}},
+    {is_povray, {"a POV-Ray scene", "POV-Rayeva scena"}},
+    {[](std::string_view t) { return t.starts_with("ply\n") || t.starts_with("ply\r"); },
+     {"a PLY mesh", "mreža PLY"}},
+    {is_obj, {"an OBJ mesh", "mreža OBJ"}},
+    {[](std::string_view t) { return t.starts_with("OFF\n") || t.starts_with("OFF\r"); },
+     {"an OFF mesh", "mreža OFF"}},
+    {[](std::string_view t) {
+       return t.starts_with("solid ") && t.find("facet") != std::string_view::npos;
+     },
+     {"an STL mesh", "mreža STL"}},
+    {[](std::string_view t) { return t.starts_with("glTF"); }, {"a glTF scene", "scena glTF"}},
+    {[](std::string_view t) { return t.starts_with("\x89PNG"); }, {"a PNG picture", "slika PNG"}},
+    {[](std::string_view t) { return t.starts_with("\xFF\xD8\xFF"); },
+     {"a JPEG picture", "slika JPEG"}},
+    {[](std::string_view t) { return t.starts_with("PK\x03\x04"); },
+     {"a ZIP archive", "arhiva ZIP"}},
+    {[](std::string_view t) { return t.starts_with("\x1F\x8B"); },
+     {"packed by gzip", "sažeta gzipom"}},
+    {[](std::string_view t) { return t.starts_with("%PDF"); }, {"a PDF document", "dokument PDF"}},
+};
+
+}  // namespace
+
+ForeignFormat foreign_format_of(std::string_view text) {
+  for (const Known& known : kKnown)
+    if (known.is(text)) return known.name;
+  return {};
+}
+
+}  // namespace zraka

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files of other programs are named, not mistaken for broken scenes.
+#include "formats/foreign.hpp"
+
+#include <gtest/gtest.h>
+
+#include <zraka/formats.hpp>
+
+namespace zraka {
+namespace {
+
+std::string refusal(std::string_view text) {
+  const Result<ReadScene> read = parse_scene(text, "file");
+  return read ? "it is read" : read.error().front().message;
+}
+
+TEST(ForeignFormats, AreNamed) {
+  constexpr std::pair<std::string_view, std::string_view> kFiles[] = {
+      {"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\n", "a LAMMPS dump"},
+      {"HEADER    OXYGEN TRANSPORT\nATOM      1  N   VAL A   1\n", "a PDB file"},
+      {"ATOM      1  N   VAL A   1       6.204  16.869   4.854\n", "a PDB file"},
+      {"data_1ABC\nloop_\n", "a CIF file"},
+      {"3\nwater: 1, 2, 3\nO 0.0 0.0 0.1\nH 0 0.7 -0.4\nH 0 -0.7 -0.4\n", "an XYZ file"},
+      {"\x93NUMPY\x01", "a NumPy array (.npy)"},
+      {"# made by VMD\nBEGIN_SCENE\nRESOLUTION 640 480\n", "a Tachyon scene"},
+      {"// a scene\n#include \"colors.inc\"\n", "a POV-Ray scene"},
+      {"#version 3.7;\nglobal_settings { assumed_gamma 1 }\n", "a POV-Ray scene"},
+      {"ply\nformat ascii 1.0\n", "a PLY mesh"},
+      {"# Blender\nmtllib a.mtl\no Cube\nv 1 1 1\n", "an OBJ mesh"},
+      {"v 1 1 1\nv 1 2 1\nf 1 2 3\n", "an OBJ mesh"},
+      {"OFF\n8 6 12\n", "an OFF mesh"},
+      {"solid cube\nfacet normal 0 0 1\n", "an STL mesh"},
+      {"glTF\x02", "a glTF scene"},
+      {"\x89PNG\r\n", "a PNG picture"},
+      {"\xFF\xD8\xFF\xE0", "a JPEG picture"},
+      {"PK\x03\x04", "a ZIP archive"},
+      {"\x1F\x8B\x08", "packed by gzip"},
+      {"%PDF-1.7\n", "a PDF document"}};
+  for (const auto& [text, name] : kFiles)
+    EXPECT_EQ(refusal(text), "is " + std::string(name) + ", which cannot be read yet");
+}
+
+TEST(ForeignFormats, AreNoScenesOfOurs) {
+  for (const std::string_view text :
+       {"v\nfrom 0 0 1\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 8 8\n",
+        "oko: 0,0,2:2:400:0,2,-2:0", "3,0,2:2:400:0,2,-2:0", "3\n,0,2:2:400\n:0,2,-2:0",
+        "# text\ns 0 0 0 1\n", ""})
+    EXPECT_EQ(foreign_format_of(text).english, "") << text;
+}
+
+}  // namespace
+}  // namespace zraka
