@@ -108,8 +108,6 @@ constexpr Known kKnown[] = {
      {"a JPEG picture", "slika JPEG"}},
     {[](std::string_view t) { return t.starts_with("PK\x03\x04"); },
      {"a ZIP archive", "arhiva ZIP"}},
-    {[](std::string_view t) { return t.starts_with("\x1F\x8B"); },
-     {"packed by gzip", "sažeta gzipom"}},
     {[](std::string_view t) { return t.starts_with("%PDF"); }, {"a PDF document", "dokument PDF"}},
 };
 
