@@ -163,7 +163,7 @@ TEST(Nff, HasAViewThroughAWindow) {
   EXPECT_NEAR(s.camera.window_right.x, 4, 1e-12);  // twice as wide as tall
   EXPECT_EQ(s.resolution.width, 40u);
   EXPECT_EQ(s.resolution.height, 20u);
-  EXPECT_EQ(s.default_profile, ProfileName::physical);
+  EXPECT_EQ(s.defaults.profile, ProfileName::physical);
 }
 
 TEST(Nff, HasLightsOfTheDatabasesRule) {

@@ -124,7 +124,7 @@ Result<Scene> RenderArguments::load(const std::vector<std::string>& outputs,
 }
 
 ProfileName RenderArguments::profile_name(const Scene& loaded) const {
-  return profile_named(profile).value_or(loaded.default_profile);
+  return profile_named(profile).value_or(loaded.defaults.profile);
 }
 
 RenderOptions RenderArguments::options(const Scene& loaded) const {

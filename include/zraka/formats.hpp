@@ -24,6 +24,11 @@ Result<ReadScene> parse_scene(std::string_view text, const std::string& name);
 /// A scene in the course's input.txt format. Fails if the scene has what that format cannot say.
 Result<std::string> write_lab_input(const Scene& scene);
 
+/// A scene in the scene language (docs/scene-language/), in its canonical form: reading it gives an
+/// equal scene, and writing that the same text. Materials without a name get one. Fails if the
+/// scene has what the language cannot say.
+Result<std::string> write_toml(const Scene& scene);
+
 /// Writes text beside `path` and renames it, so that a failure leaves an old file as it was.
 Result<void> write_text_file(const std::string& path, std::string_view text);
 

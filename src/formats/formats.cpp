@@ -15,6 +15,7 @@ namespace {
 /// Found by the content where it tells, for names can be anything, else by the name's ending.
 constexpr std::array kFormats = {
     Format{"NFF", ".nff", std::uint64_t{1} << 36, likeness_to_nff, parse_nff},
+    Format{"TOML", ".toml", std::uint64_t{1} << 30, likeness_to_toml, parse_toml},
     Format{"lab input.txt", "", std::uint64_t{1} << 30, likeness_to_lab_input, parse_lab_input},
 };
 

@@ -41,5 +41,8 @@ std::optional<ReadScene> read_nff_by_blocks(LargeFile& file, const std::string& 
 /// meant as one, or if it is empty or no text, which the reader has words for.
 Likeness likeness_to_lab_input(std::string_view text);
 Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name);
+/// Sure where the text begins, comments aside, with a header or a key and '='.
+Likeness likeness_to_toml(std::string_view text);
+Result<ReadScene> parse_toml(std::string_view text, const std::string& name);
 
 }  // namespace zraka
