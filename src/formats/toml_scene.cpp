@@ -6,21 +6,16 @@
 
 #include "core/text.hpp"
 #include "formats/formats.hpp"
+#include "language/facts.hpp"
 #include "language/sections.hpp"
 
 namespace zraka {
 namespace {
 
+using language::header_of;
 using language::Input;
 using language::Section;
 using Kind = toml::Node::Kind;
-
-constexpr std::string_view kForms[] = {"[{}]", "[[{}]]", "[{}.NAME]"};
-
-/// How a section's header is written.
-std::string header_of(const Section& section) {
-  return fmt::format(fmt::runtime(kForms[static_cast<int>(section.form)]), section.key);
-}
 
 void read_section(const Section& section, const toml::Node& node, Input& input) {
   const auto refuse = [&](const toml::Node& wrong) {

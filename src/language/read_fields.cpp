@@ -159,6 +159,9 @@ void refuse_not_built(const toml::Node& node, const Field& field, std::string_vi
   else if (!field.only_word.empty())
     problems.error(node.begin, fmt::format("{} of {} other than \"{}\" is not built yet", field.key,
                                            what, field.only_word));
+  else if (field.only_vector)
+    problems.error(node.begin, fmt::format("{} of {} other than {} is not built yet", field.key,
+                                           what, text_of(*field.only_vector)));
   else
     problems.error(node.key_begin, fmt::format("{} of {} is not built yet", field.key, what));
 }
@@ -178,6 +181,14 @@ void read_field(const toml::Node& node, const Field& field, std::string_view wha
   if (value.index() != 0) field.set(object, std::move(value));
 }
 
+/// The field that the lab's sheet calls so, "" if none is.
+std::string_view key_of_symbol(std::string_view symbol, std::span<const Part> parts) {
+  for (const Part& part : parts)
+    for (const Field& field : part.table->fields)
+      if (!symbol.empty() && field.about.symbol == symbol) return field.key;
+  return {};
+}
+
 }  // namespace
 
 std::string expected_of(const Field& field) {
@@ -190,8 +201,9 @@ std::string expected_of(const Field& field) {
     case FieldKind::boolean:
       return "true or false";
     case FieldKind::vector:
-      return about.unit == Unit::direction ? "a direction [x, y, z], not all 0"
-                                           : "[x, y, z]" + range_of(about.range, false);
+      return about.unit == Unit::direction
+                 ? "a direction [x, y, z], not all 0"
+                 : "[x, y, z], finite numbers" + range_of(about.range, false);
     case FieldKind::color:
       return fmt::format("a colour: [r, g, b]{}, one number for grey, or \"#rrggbb\"",
                          range_of(about.range, false));
@@ -253,11 +265,16 @@ void read_fields(const toml::Node& node, std::string_view what, std::span<const 
   if (!also.empty()) known.push_back(also);
   for (const Part& part : parts)
     for (const Field& field : part.table->fields) known.push_back(field.key);
-  for (const toml::Node& child : node.children)
-    if (std::find(known.begin(), known.end(), child.key) == known.end())
-      problems.unknown(child.key_begin,
-                       fmt::format("unknown field '{}' of {}", shown(child.key), what), child.key,
-                       known, fmt::format("fields of {}", what));
+  for (const toml::Node& child : node.children) {
+    if (std::find(known.begin(), known.end(), child.key) != known.end()) continue;
+    const std::string message = fmt::format("unknown field '{}' of {}", shown(child.key), what);
+    const std::string_view meant = key_of_symbol(child.key, parts);
+    if (meant.empty())
+      problems.unknown(child.key_begin, message, child.key, known,
+                       fmt::format("fields of {}", what));
+    else
+      problems.error(child.key_begin, message, fmt::format("did you mean '{}'?", meant));
+  }
 }
 
 void read_fields(const toml::Node& node, const Table& table, std::string_view what, void* object,
