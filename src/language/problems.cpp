@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/suggest.hpp"
+#include "core/nearest.hpp"
 #include "core/text.hpp"
 
 namespace zraka::language {
@@ -31,10 +31,9 @@ void Problems::missing(std::size_t position, std::string message, std::string hi
 void Problems::unknown(std::size_t position, std::string message, std::string_view word,
                        std::span<const std::string_view> known, std::string_view plural) {
   constexpr std::size_t kMostNamed = 20;
-  const std::string_view meant = nearest(word, known);
   std::string hint;
-  if (!meant.empty()) {
-    hint = fmt::format("did you mean '{}'?", meant);
+  if (const auto meant = nearest_of(word, {known.begin(), known.end()})) {
+    hint = fmt::format("did you mean '{}'?", *meant);
   } else if (known.empty()) {
     hint = fmt::format("there are no {}", plural);
   } else {
@@ -55,11 +54,11 @@ Diagnostics Problems::finish() {
   std::stable_sort(found_.begin(), found_.end(),
                    [](const Found& a, const Found& b) { return a.position < b.position; });
   Diagnostics all;
-  Places places(text_);
+  TextPositions positions(text_);
   for (Found& found : found_) {
-    const Place place = places.at(found.position);
-    all.push_back({found.severity, name_, place.line, place.column, std::move(found.message),
-                   std::move(found.hint), places.excerpt(found.position)});
+    const TextPosition at = positions.at(found.position);
+    all.push_back({found.severity, name_, at.line, at.column, std::move(found.message),
+                   std::move(found.hint), positions.excerpt(found.position)});
   }
   if (enough())
     all.push_back({.file = name_, .message = "too many problems; no more of them are shown"});

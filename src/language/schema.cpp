@@ -1,206 +1,172 @@
 // SPDX-License-Identifier: Apache-2.0
 // JSON Schema (draft 7) of the scene language.
-#include <fmt/format.h>
-
 #include <cmath>
-#include <utility>
 
+#include "core/json.hpp"
 #include "language/help.hpp"
 #include "language/sections.hpp"
 
 namespace zraka::language {
 namespace {
 
-/// Members of an object; values are JSON, as all that text_of() writes is.
-class Object {
- public:
-  Object& add(std::string_view key, std::string_view value) {
-    text_ += fmt::format("{}{}: {}", text_.empty() ? "" : ", ", quoted(key), value);
-    return *this;
+struct JsonOf {
+  const Field& field;
+  Json operator()(std::monostate) const { return {}; }
+  Json operator()(const Vec3& v) const { return {v.x, v.y, v.z}; }
+  Json operator()(const Color& c) const { return {c.r, c.g, c.b}; }
+  Json operator()(const Chosen& chosen) const {
+    return field.about.choices[static_cast<std::size_t>(chosen.index)].name;
   }
-  std::string text() const { return "{" + text_ + "}"; }
-
- private:
-  std::string text_;
+  Json operator()(const Points& points) const {
+    Json all = Json::array();
+    for (const Vec3& point : points) all.push_back((*this)(point));
+    return all;
+  }
+  Json operator()(const auto& value) const { return value; }
 };
 
-std::string list_of(const std::vector<std::string>& values) {
-  return fmt::format("[{}]", fmt::join(values, ", "));
+Json number_of(const Range& range, const char* type) {
+  Json json = {{"type", type}};
+  if (std::isfinite(range.least)) json[range.above ? "exclusiveMinimum" : "minimum"] = range.least;
+  if (std::isfinite(range.most)) json[range.below ? "exclusiveMaximum" : "maximum"] = range.most;
+  return json;
 }
 
-Object number_of(const Range& range, std::string_view type) {
-  Object object;
-  object.add("type", quoted(type));
-  if (std::isfinite(range.least))
-    object.add(range.above ? "exclusiveMinimum" : "minimum", text_of(range.least));
-  if (std::isfinite(range.most))
-    object.add(range.below ? "exclusiveMaximum" : "maximum", text_of(range.most));
-  return object;
+Json array_of(Json items, std::size_t fewest, std::size_t most) {
+  Json json = {{"type", "array"}};
+  json["items"] = std::move(items);
+  json["minItems"] = fewest;
+  if (most != std::numeric_limits<std::size_t>::max()) json["maxItems"] = most;
+  return json;
 }
 
-Object array_of(const std::string& items, std::size_t fewest, std::size_t most) {
-  Object object;
-  object.add("type", "\"array\"").add("items", items).add("minItems", std::to_string(fewest));
-  if (most != std::numeric_limits<std::size_t>::max()) object.add("maxItems", std::to_string(most));
-  return object;
+Json vector_of(const About& about) {
+  Json json = array_of(number_of(about.range, "number"), 3, 3);
+  if (about.unit == Unit::direction) json["not"] = {{"const", {0, 0, 0}}};
+  return json;
 }
 
-Object vector_of(const About& about) {
-  Object object = array_of(number_of(about.range, "number").text(), 3, 3);
-  if (about.unit == Unit::direction) object.add("not", R"({"const": [0, 0, 0]})");
-  return object;
+Json color_of(const About& about) {
+  Json any = Json::array();
+  any.push_back(vector_of(about));
+  any.push_back(number_of(about.range, "number"));
+  any.push_back({{"type", "string"}, {"pattern", "^#[0-9A-Fa-f]{6}$"}});
+  return {{"anyOf", any}};
 }
 
-std::string object_of(const std::vector<const Table*>& tables, const Kind* kind, bool kind_needed);
-
-/// The one value that a field which is not built may have.
-Object only_value(const Field& field) {
-  Object object;
-  if (field.only_number) {
-    const std::string n = text_of(*field.only_number);
-    return object.add("enum", fmt::format("[{0}, [{0}, {0}, {0}]]", n));
-  }
-  return object.add("const",
-                    field.only_vector ? text_of(*field.only_vector) : quoted(field.only_word));
+Json choice_of(const About& about) {
+  Json names = Json::array();
+  for (const Choice& choice : about.choices)
+    if (choice.built) names.push_back(choice.name);
+  return {{"enum", names}};
 }
 
-Object value_of(const Field& field) {
+/// The one value that a field which is not built may have; null if there is none.
+Json only_value(const Field& field) {
+  const auto one = [](Json value) {
+    Json values = Json::array();
+    values.push_back(std::move(value));
+    return values;
+  };
+  if (!field.only_word.empty()) return {{"enum", one(field.only_word)}};
+  if (field.only_vector) return {{"enum", one(JsonOf{field}(*field.only_vector))}};
+  if (!field.only_number) return {};
+  Json values = one(*field.only_number);
+  values.push_back(Json::array({*field.only_number, *field.only_number, *field.only_number}));
+  return {{"enum", values}};
+}
+
+Json object_of(const std::vector<const Table*>& tables, const Kind* kind, bool kind_needed);
+
+Json value_of(const Field& field) {
   if (!field.built) return only_value(field);
   const About& about = field.about;
-  Object object;
   switch (field.kind) {
     case FieldKind::number:
       return number_of(about.range, "number");
     case FieldKind::integer:
       return number_of(about.range, "integer");
     case FieldKind::boolean:
-      return object.add("type", "\"boolean\"");
+      return {{"type", "boolean"}};
     case FieldKind::vector:
       return vector_of(about);
     case FieldKind::color:
-      return object.add("anyOf",
-                        list_of({array_of(number_of(about.range, "number").text(), 3, 3).text(),
-                                 number_of(about.range, "number").text(),
-                                 R"({"type": "string", "pattern": "^#[0-9A-Fa-f]{6}$"})"}));
+      return color_of(about);
     case FieldKind::text:
-      return object.add("type", "\"string\"");
+      return {{"type", "string"}};
     case FieldKind::points:
-      return array_of(vector_of(about).text(), about.fewest, about.most);
-    case FieldKind::choice: {
-      std::vector<std::string> names;
-      for (const Choice& choice : about.choices)
-        if (choice.built) names.push_back(quoted(choice.name));
-      return object.add("enum", list_of(names));
-    }
+      return array_of(vector_of(about), about.fewest, about.most);
+    case FieldKind::choice:
+      return choice_of(about);
     case FieldKind::table:
-      break;
+      return object_of({field.table}, nullptr, false);
   }
-  return object;
+  return {};
 }
 
-std::string schema_of(const Field& field, const Table& table) {
-  if (field.kind == FieldKind::table) return object_of({field.table}, nullptr, false);
-  Object object = value_of(field);
-  object.add("description", quoted(field.about.text));
-  if (field.built && !field.about.required)
-    if (const std::string value = text_of(field, field.get(table.defaults())); !value.empty())
-      object.add("default", value);
-  return object.text();
+Json schema_of(const Field& field, const Table& table) {
+  Json json = value_of(field);
+  if (json.is_null()) return json;
+  json["description"] = field.about.text;
+  if (!field.built || field.about.required || field.get == nullptr) return json;
+  Json value = std::visit(JsonOf{field}, field.get(table.defaults()));
+  if (!value.is_null()) json["default"] = std::move(value);
+  return json;
 }
 
-std::string object_of(const std::vector<const Table*>& tables, const Kind* kind, bool kind_needed) {
-  Object properties;
-  std::vector<std::string> required;
-  if (kind != nullptr) properties.add("kind", fmt::format("{{\"const\": {}}}", quoted(kind->name)));
-  if (kind_needed) required.push_back("\"kind\"");
+Json object_of(const std::vector<const Table*>& tables, const Kind* kind, bool kind_needed) {
+  Json properties = Json::object(), required = Json::array();
+  if (kind != nullptr) properties["kind"] = {{"const", kind->name}};
+  if (kind_needed) required.push_back("kind");
   for (const Table* table : tables)
     for (const Field& field : table->fields) {
-      const bool has_value =
-          field.built || field.only_number || field.only_vector || !field.only_word.empty();
-      if (has_value) properties.add(field.key, schema_of(field, *table));
-      if (field.built && field.about.required) required.push_back(quoted(field.key));
+      Json json = schema_of(field, *table);
+      if (!json.is_null()) properties[field.key] = std::move(json);
+      if (field.built && field.about.required) required.push_back(field.key);
     }
-  Object object;
-  object.add("type", "\"object\"");
-  if (!tables.empty()) object.add("description", quoted(tables.front()->text));
-  object.add("properties", properties.text());
-  if (!required.empty()) object.add("required", list_of(required));
-  return object.add("additionalProperties", "false").text();
+  Json json = {{"type", "object"}};
+  json["description"] = tables.front()->text;
+  json["properties"] = std::move(properties);
+  json["required"] = std::move(required);
+  json["additionalProperties"] = false;
+  return json;
 }
 
-std::string schema_of(const Section& section) {
-  std::string item;
-  if (section.family != nullptr) {
-    const Family& family = *section.family;
-    std::vector<std::string> kinds;
-    for (const Kind* kind : family.kinds)
-      kinds.push_back(
-          object_of({&kind->table, &family.common}, kind, kind->name != family.default_kind));
-    item = Object().add("anyOf", list_of(kinds)).text();
-  } else {
-    item = object_of({section.table}, nullptr, false);
-  }
-  Object object;
-  object.add("description", quoted(section.text));
+Json item_of(const Section& section) {
+  if (section.family == nullptr) return object_of({section.table}, nullptr, false);
+  const Family& family = *section.family;
+  Json kinds = Json::array();
+  for (const Kind* kind : family.kinds)
+    kinds.push_back(
+        object_of({&kind->table, &family.common}, kind, kind->name != family.default_kind));
+  return {{"anyOf", kinds}};
+}
+
+Json schema_of(const Section& section) {
+  Json json = item_of(section);
   switch (section.form) {
     case Section::Form::one:
-      return item;
+      return json;
     case Section::Form::list:
-      return object.add("type", "\"array\"").add("items", item).text();
+      return {{"type", "array"}, {"description", section.text}, {"items", json}};
     case Section::Form::named:
-      return object.add("type", "\"object\"").add("additionalProperties", item).text();
+      return {{"type", "object"}, {"description", section.text}, {"additionalProperties", json}};
   }
-  return "";
-}
-
-/// With a line for every member of an object.
-std::string in_lines(std::string_view json) {
-  std::string out;
-  std::string levels;  // the brackets that are open
-  bool inside = false, escaped = false;
-  const auto new_line = [&] { out += '\n' + std::string(2 * levels.size(), ' '); };
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const char c = json[i];
-    if (inside) {
-      out += c;
-      inside = escaped || c != '"';
-      escaped = !escaped && c == '\\';
-      continue;
-    }
-    inside = c == '"';
-    const bool in_object = !levels.empty() && levels.back() == '{';
-    if (c == '}' || c == ']') {
-      levels.pop_back();
-      if (in_object) new_line();
-      out += c;
-    } else if (c == '{' || c == '[') {
-      out += c;
-      levels += c;
-      if (c == '{') new_line();
-    } else if (c == ',' && in_object) {
-      out += c;
-      new_line();
-      ++i;  // the space
-    } else {
-      out += c;
-    }
-  }
-  return out + "\n";
+  return json;
 }
 
 }  // namespace
 
 std::string json_schema() {
-  Object properties;
+  Json properties = Json::object();
   for (const Section* section : kSections)
-    if (section->read != nullptr) properties.add(section->key, schema_of(*section));
-  return in_lines(Object()
-                      .add("$schema", "\"http://json-schema.org/draft-07/schema#\"")
-                      .add("title", "\"A scene of zraka\"")
-                      .add("type", "\"object\"")
-                      .add("properties", properties.text())
-                      .add("additionalProperties", "false")
-                      .text());
+    if (section->read != nullptr) properties[section->key] = schema_of(*section);
+  const Json json = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                     {"title", "A scene of zraka"},
+                     {"type", "object"},
+                     {"properties", properties},
+                     {"additionalProperties", false}};
+  return json.dump(2) + "\n";
 }
 
 }  // namespace zraka::language

@@ -161,9 +161,9 @@ bool Parser::read_path(std::vector<Key>& path) {
 }
 
 bool Parser::redefined(const Key& key, const Node& before) {
-  const Place place = Places(text_).at(before.key_begin);
+  const TextPosition first = TextPositions(text_).at(before.key_begin);
   return fail(key.position, fmt::format("'{}' stands here for the second time", shown(key.name)),
-              fmt::format("the first time was in line {}", place.line));
+              fmt::format("the first time was in line {}", first.line));
 }
 
 /// [a.b] or [[a.b]].

@@ -51,7 +51,7 @@ void put(WindowCamera& w, Item& item) {
   if (spans_a_plane(camera.window_right, camera.window_up))
     item.input.scene.camera = camera;
   else
-    item.complain("window", "right and up of window of window camera span no plane");
+    item.complain("window", "right and up of the camera's window span no plane");
 }
 
 constexpr Field kWindowFields[] = {

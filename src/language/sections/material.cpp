@@ -52,7 +52,7 @@ constexpr Field kFields[] = {
                                                 .range = at_least(0),
                                                 .symbol = "k2",
                                                 .later = "a colour or a texture"}),
-    field<&Material::refractive>(
+    field<&Material::ior>(
         "ior", {.text = "index of refraction of the inside; with the profile lab, n1/n2 on entry",
                 .range = greater_than(0),
                 .symbol = "ni"}),
