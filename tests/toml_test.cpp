@@ -97,8 +97,8 @@ TEST(Toml, SaysEveryProblemAndGoesOnBehindIt) {
       tree("a = glass\nb = 2024-01-02\nc = 3\n= 4\nd = \"open\n[e\nf = 1 2\ng = [1, 2\nh = 3\n"),
       "4: 'glass' is not a value | text stands in quotes: \"…\"\n"
       "14: '2024-01-02' is a date: nothing of a scene is one\n"
-      "27: '3' stands here: expected '=' behind the key\n"
-      "37: this text is never closed | expected \" at its end\n"
+      "31: '=' stands here: expected a key\n"
+      "39: this text is never closed | expected \" at its end\n"
       "47: the line ends: expected ']'\n"
       "54: '2' stands here: expected the end of the line\n"
       "66: 'h' stands here: expected ',' or ']'\n");

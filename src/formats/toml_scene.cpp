@@ -104,4 +104,10 @@ Result<std::string> write_toml(const Scene& scene) {
   return std::move(output.text);
 }
 
+Result<WrittenScene> write_toml_scene(const Scene& scene) {
+  Result<std::string> text = write_toml(scene);
+  if (!text) return tl::make_unexpected(text.error());
+  return WrittenScene{std::move(*text), {}};
+}
+
 }  // namespace zraka

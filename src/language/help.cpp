@@ -96,6 +96,10 @@ std::vector<std::string_view> keywords() {
   return all;
 }
 
+std::string keywords_in_lines(std::string_view title) {
+  return wrapped(fmt::format("{}{}", title, fmt::join(keywords(), ", ")), kLine, 2) + "\n";
+}
+
 std::optional<std::string> help_on(std::string_view keyword) {
   std::string out;
   for (const Topic& topic : topics())

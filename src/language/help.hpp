@@ -13,6 +13,9 @@ namespace zraka::language {
 /// What help_on() knows: sections and kinds, each once.
 std::vector<std::string_view> keywords();
 
+/// The same in lines behind a title.
+std::string keywords_in_lines(std::string_view title);
+
 /// All about a section or a kind; none where there is no such keyword.
 std::optional<std::string> help_on(std::string_view keyword);
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// zraka check: what is wrong with a scene file.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.hpp"
+#include "terminal.hpp"
+#include "zraka/zraka.hpp"
+
+namespace zraka::app {
+namespace {
+
+int run(const std::string& scene) {
+  Result<ReadScene> read = read_scene(scene);
+  if (!read) return fail(read.error());
+  show(read->warnings);
+  const Diagnostics wrong = check(read->scene);
+  return wrong.empty() ? kDone : fail(wrong);
+}
+
+}  // namespace
+
+void add_check(Command& program) {
+  auto scene = std::make_shared<std::string>();
+  Command app = program.add_command("check", "say what is wrong with a scene file");
+  app.add("SCENE", scene.get(), "the scene file; - reads standard input").required();
+  app.footer(
+      "Prints nothing and ends with 0 where all is well.\n"
+      "Examples:\n"
+      "  zraka check scene.toml\n"
+      "  zraka check scenes/lab/input.txt && echo all is well");
+  app.action([scene] { return run(*scene); });
+}
+
+}  // namespace zraka::app
