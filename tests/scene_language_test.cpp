@@ -232,7 +232,7 @@ TEST(SceneLanguage, SaysWhatIsWrongWithValuesThatDoNotGoTogether) {
              "0]]\n"),
       "s.toml:3:10: error: points of polygon are in no plane: one is out of it by 0.24 of the "
       "polygon's reach\n"
-      "  points = [[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, 1,…\n           ^\n");
+      "  points = [[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, …\n           ^\n");
   EXPECT_EQ(answer("[[shape]]\nkind = \"polygon\"\npoints = [[0, 0, 0], [1, 1, 1], [2, 2, 2]]\n"),
             "s.toml:3:10: error: points of polygon are all on one line\n"
             "  points = [[0, 0, 0], [1, 1, 1], [2, 2, 2]]\n           ^\n");

@@ -81,7 +81,8 @@ Likeness likeness_to_toml(std::string_view text) {
           key.find_first_not_of(
               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.\"' ") ==
               std::string_view::npos;
-      return equals != std::string_view::npos && is_key ? Likeness::sure : Likeness::none;
+      const bool is_arrow = equals + 1 < line.size() && line[equals + 1] == '>';  // of the lab's
+      return equals != std::string_view::npos && is_key && !is_arrow ? Likeness::sure : Likeness::none;
     }
     text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
   }

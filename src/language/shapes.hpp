@@ -7,7 +7,7 @@
 #include <zraka/scene.hpp>
 
 #include "language/section.hpp"
-#include "shapes/shapes.hpp"
+#include "scene/check_shape.hpp"
 
 /// X(name): every kind, in shapes/; cylinders are in cone.cpp.
 #define ZRAKA_SHAPE_KINDS(X) \
@@ -32,12 +32,11 @@ enum ShapeList {
 #undef ZRAKA_LIST
 };
 
-/// Puts a shape into the scene, with the item's material and name, if check() has nothing against
-/// it.
+/// Puts a shape into the scene, with the item's material and name, if nothing is wrong with it.
 template <class Shape>
 void add_shape(Item& item, std::vector<Object<Shape>> Scene::*list, ShapeList kind,
                const Shape& shape) {
-  if (const char* const problem = ShapeTraits<Shape>::check(shape)) {
+  if (const std::string problem = problem_of(shape); !problem.empty()) {
     item.input.problems.error(item.node.begin,
                               std::string(ShapeTraits<Shape>::kName) + ": " + problem);
     return;
