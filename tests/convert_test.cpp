@@ -32,7 +32,8 @@ std::string losses(const Scene& scene, const char* format) {
 std::vector<NamedScene> convertible_scenes() {
   std::vector<NamedScene> scenes = test_scenes(60);
   for (const char* path : {"lab/bubble.txt", "nff/benzene.nff"})
-    scenes.push_back({path, read_scene(std::string(ZRAKA_SOURCE_DIR "/scenes/") + path).value().scene});
+    scenes.push_back(
+        {path, read_scene(std::string(ZRAKA_SOURCE_DIR "/scenes/") + path).value().scene});
   for (NamedScene& each : scenes) each.scene.resolution = {60, 60};
   return scenes;
 }
@@ -86,20 +87,22 @@ TEST(Convert, SaysWhatNffLoses) {
   scene.names[{0, 1}] = "b";
   scene.defaults.shadows = Shadows::off;
   scene.defaults.max_depth = 9;
-  EXPECT_EQ(losses(scene, "nff"),
-            "warning: lost in NFF: the ambient light, which NFF's rule gives\n"
-            "warning: lost in NFF: names (2 times)\n"
-            "warning: lost in NFF: the profile\n"
-            "warning: lost in NFF: the depth of rays\n"
-            "warning: lost in NFF: that there are no shadows\n"
-            "warning: lost in NFF: materials: another ambient share than the diffuse one (42 times)\n"
-            "warning: lost in NFF: materials: the highlight's colour (40 times)\n"
-            "warning: lost in NFF: materials: another share of the reflected ray than of the highlight "
-            "(41 times)\n");
+  EXPECT_EQ(
+      losses(scene, "nff"),
+      "warning: lost in NFF: the ambient light, which NFF's rule gives\n"
+      "warning: lost in NFF: names (2 times)\n"
+      "warning: lost in NFF: the profile\n"
+      "warning: lost in NFF: the depth of rays\n"
+      "warning: lost in NFF: that there are no shadows\n"
+      "warning: lost in NFF: materials: another ambient share than the diffuse one (42 times)\n"
+      "warning: lost in NFF: materials: the highlight's colour (40 times)\n"
+      "warning: lost in NFF: materials: another share of the reflected ray than of the highlight "
+      "(41 times)\n");
   scene.camera.window_center.x = 1;
-  EXPECT_EQ(losses(scene, "nff"),
-            "error: NFF cannot say where this scene's window is: it knows those that the eye looks at "
-            "straight\n");
+  EXPECT_EQ(
+      losses(scene, "nff"),
+      "error: NFF cannot say where this scene's window is: it knows those that the eye looks at "
+      "straight\n");
 }
 
 TEST(Convert, SaysWhatInputTxtLosesAndCannotSay) {
@@ -109,15 +112,17 @@ TEST(Convert, SaysWhatInputTxtLosesAndCannotSay) {
   EXPECT_EQ(losses(scene, "lab"),
             "warning: lost in input.txt: the profile\n"
             "warning: lost in input.txt: the depth of rays\n");
-  EXPECT_EQ(losses(mixed_scene(), "lab"),
-            "error: the course's input.txt format cannot say these lights: it knows one white light\n");
+  EXPECT_EQ(
+      losses(mixed_scene(), "lab"),
+      "error: the course's input.txt format cannot say these lights: it knows one white light\n");
   EXPECT_EQ(losses(scene, "obj"),
             "error: 'obj' is no format that can be written\n  formats: nff, toml, lab\n");
 }
 
 TEST(Convert, KnowsFormatsByTheNamesOfFiles) {
   const Scene scene = read_scene(ZRAKA_SOURCE_DIR "/scenes/lab/input.txt").value().scene;
-  for (const auto& [file, format] : {std::pair("a.toml", "toml"), {"b.TXT", "lab"}, {"c.nff", "nff"}})
+  for (const auto& [file, format] :
+       {std::pair("a.toml", "toml"), {"b.TXT", "lab"}, {"c.nff", "nff"}})
     EXPECT_EQ(write_scene(scene, file).value().text, write_scene(scene, format).value().text);
 }
 

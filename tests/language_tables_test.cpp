@@ -63,9 +63,12 @@ std::string good_value(const Field& field, int number) {
 std::vector<std::string> bad_values(const Field& field) {
   const Range& range = field.about.range;
   std::vector<std::string> numbers = {"nan", "inf", "-inf"};
-  if (std::isfinite(range.least)) numbers.push_back(text_of(range.above ? range.least : range.least - 1));
-  if (std::isfinite(range.most)) numbers.push_back(text_of(range.below ? range.most : range.most + 1));
-  std::vector<std::string> bad = {"true", "\"no such\"", "[]", "{}", "[[1]]", "[\"a\", \"b\", \"c\"]"};
+  if (std::isfinite(range.least))
+    numbers.push_back(text_of(range.above ? range.least : range.least - 1));
+  if (std::isfinite(range.most))
+    numbers.push_back(text_of(range.below ? range.most : range.most + 1));
+  std::vector<std::string> bad = {"true", "\"no such\"", "[]",
+                                  "{}",   "[[1]]",       "[\"a\", \"b\", \"c\"]"};
   const auto drop = [&](std::size_t i) { bad.erase(bad.begin() + static_cast<std::ptrdiff_t>(i)); };
   switch (field.kind) {
     case FieldKind::number:
@@ -86,7 +89,8 @@ std::vector<std::string> bad_values(const Field& field) {
       if (field.about.unit == Unit::direction) bad.push_back("[0, 0, 0]");
       if (field.kind == FieldKind::vector) bad.push_back("1");
       if (field.kind == FieldKind::color)
-        bad.insert(bad.end(), {"\"#12345\"", "\"#1234567\"", "\"#12345g\"", "\"#+12345\"", "-1", "inf"});
+        bad.insert(bad.end(),
+                   {"\"#12345\"", "\"#1234567\"", "\"#12345g\"", "\"#+12345\"", "-1", "inf"});
       break;
     case FieldKind::points: {
       bad.insert(bad.end(), {"1", "[[1, 2, 3]]"});
@@ -131,7 +135,8 @@ std::string rest_of(const Topic& topic, const Field& but) {
 
 void each_field(const auto& function) {
   for (const Topic& topic : topics())
-    if (topic.section->read != nullptr && (topic.kind != nullptr || topic.section->table != nullptr))
+    if (topic.section->read != nullptr &&
+        (topic.kind != nullptr || topic.section->table != nullptr))
       for (const Table* table : tables_of(topic))
         for (const Field& field : table->fields) function(topic, *table, field);
 }
@@ -212,7 +217,8 @@ TEST(LanguageTables, EveryFieldIsSuggestedForASlip) {
     if (field.key.size() < 2) return;  // a, b, c are nearest to each other
     const std::string words = answer(fmt::format("{}{}x = 1\n", rest_of(topic, field), field.key));
     EXPECT_NE(words.find(fmt::format("unknown field '{}x' of ", field.key)), std::string::npos);
-    EXPECT_NE(words.find(fmt::format("did you mean '{}'?\n", field.key)), std::string::npos) << words;
+    EXPECT_NE(words.find(fmt::format("did you mean '{}'?\n", field.key)), std::string::npos)
+        << words;
   });
 }
 

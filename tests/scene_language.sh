@@ -118,7 +118,7 @@ expect 0 "Keywords of the scene language: image, camera, perspective" "$zraka" h
 expect 2 "'shpere' is no command and no keyword of the scene language
 Did you mean 'sphere'?" "$zraka" help shpere
 "$zraka" help --pages "$folder/pages" || fail "pages"
-diff -r "$folder/pages" docs/scene-language -x index.md || fail "docs/scene-language is not what zraka help --pages writes"
+diff -r "$folder/pages" docs/scene-language -x README.md || fail "docs/scene-language is not what zraka help --pages writes"
 
 # The schema, where there are Node, ajv and a Python that reads TOML: it accepts what the reader accepts, and nothing else.
 "$zraka" schema -o "$folder/schema.json" || fail "schema"

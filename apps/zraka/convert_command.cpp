@@ -17,12 +17,6 @@ struct Arguments {
   bool quiet = false;
 };
 
-/// What is said of a scene as a whole is said of its file.
-Diagnostics about(const std::string& scene, Diagnostics diagnostics) {
-  for (Diagnostic& d : diagnostics) d.file = scene == "-" ? "standard input" : scene;
-  return diagnostics;
-}
-
 int run(const Arguments& arguments) {
   std::error_code ignored;
   if (std::filesystem::equivalent(arguments.scene, arguments.output, ignored))
