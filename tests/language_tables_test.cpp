@@ -97,6 +97,11 @@ std::vector<std::string> bad_values(const Field& field) {
       std::string points = "[0, 0, inf]";
       for (std::size_t i = 1; i < field.about.fewest; ++i) points += fmt::format(", [{}, 1, 2]", i);
       bad.push_back("[" + points + "]");
+      if (field.about.most < 100) {
+        std::string many;
+        for (std::size_t i = 0; i <= field.about.most; ++i) many += fmt::format("[{}, 1, 2], ", i);
+        bad.push_back("[" + many + "]");
+      }
       break;
     }
     case FieldKind::boolean:

@@ -102,6 +102,9 @@ TEST(SceneLanguage, HasMaterialsByName) {
   EXPECT_EQ(s.spheres[0].material, 1u);
   EXPECT_EQ(s.spheres[1].material, 0u);
   EXPECT_EQ(s.spheres[2].material, 2u);
+  const Scene both = scene("[material.a]\ncolor = 0.5\n");
+  EXPECT_EQ(both.materials[0].ambient, (Color{0.5, 0.5, 0.5}));
+  EXPECT_EQ(both.materials[0].diffuse, (Color{0.5, 0.5, 0.5}));
   const Scene own = scene("[material.default]\ndiffuse = 1\n" + kSphere);
   ASSERT_EQ(own.materials.size(), 1u);
   EXPECT_EQ(own.materials[0].diffuse, (Color{1, 1, 1}));
@@ -314,6 +317,8 @@ TEST(SceneLanguage, WritesWhatReadsAsTheEqualScene) {
       "[[shape]]\nkind = \"triangle\"\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n"
       "normals = [[0, 0, 1], [0, 1, 1], [1, 0, 1]]\n");
   const std::string text = write_toml(s).value();
+  EXPECT_NE(text.find("eye = [1e-300, -0.0, "), std::string::npos)
+      << "a whole number has no -0 in TOML";
   const Scene again = scene(text);
   expect_equal(s, again);
   EXPECT_EQ(s.material_names, again.material_names);
