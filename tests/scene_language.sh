@@ -74,7 +74,7 @@ exactly 1 "$folder/bad.toml:4:1: error: unknown field 'radus' of sphere
   radus = 1
   ^
   did you mean 'radius'?" "$zraka" check "$folder/bad.toml"
-exactly 1 "$folder/none.toml: error: cannot be opened: No such file or directory" "$zraka" check "$folder/none.toml"
+expect 1 "$folder/none.toml: error: cannot be read: No such file or directory" "$zraka" check "$folder/none.toml"
 
 # A scene's own depth, shadows and profile hold where the command line says nothing.
 hash_of() { "$zraka" render "$@" -o "$folder/a.png" --quiet --stats=json | grep sha256; }
@@ -113,7 +113,7 @@ cmp -s "$folder/good.toml" "$folder/own.toml" || fail "a scene was overwritten"
 # help: keywords of the language beside commands.
 expect 0 "its radius: a number greater than 0" "$zraka" help sphere
 expect 0 "--max-depth" "$zraka" help render
-expect 0 "profile" "$zraka" help render
+expect 0 "the rules of light" "$zraka" help render section
 expect 0 "Keywords of the scene language: image, camera, perspective" "$zraka" help
 expect 2 "'shpere' is no command and no keyword of the scene language
 Did you mean 'sphere'?" "$zraka" help shpere

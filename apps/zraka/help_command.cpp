@@ -34,16 +34,12 @@ int write_pages(const std::string& folder) {
   return kDone;
 }
 
-/// Help of a command, of a keyword of the scene language, or of both.
+/// Help of a command, else of a keyword of the scene language.
 std::string help_of(const Command& program, const Arguments& arguments) {
-  const std::optional<std::string> command = program.help_of(arguments.topic),
-                                   keyword = language::help_on(arguments.words());
-  std::string text = command.value_or("");
-  if (command && keyword) text += "\nIn the scene language:\n\n";
-  text += keyword.value_or("");
+  std::string text = program.help_of(arguments.topic).value_or("");
   if (arguments.topic.empty())
-    text += "\n" + language::keywords_in_lines("Keywords of the scene language: ");
-  return text;
+    return text + "\n" + language::keywords_in_lines("Keywords of the scene language: ");
+  return text.empty() ? language::help_on(arguments.words()).value_or("") : text;
 }
 
 std::string problem_of(const Command& program, const Arguments& arguments) {
@@ -68,7 +64,13 @@ void add_help(Command& program) {
            "none: the program itself");
   help.add("--pages", &arguments->pages,
            "write the scene language's pages of documentation into this folder instead");
-  help.footer("Examples:\n  zraka help render\n  zraka help generate letter\n  zraka help sphere");
+  help.footer(
+      "A keyword that is a command, too, has section behind it.\n"
+      "Examples:\n"
+      "  zraka help render\n"
+      "  zraka help generate letter\n"
+      "  zraka help sphere\n"
+      "  zraka help render section");
   help.check([program, arguments] { return problem_of(program, *arguments); });
   help.action([program, arguments] {
     if (!arguments->pages.empty()) return write_pages(arguments->pages);

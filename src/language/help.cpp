@@ -103,7 +103,9 @@ std::string keywords_in_lines(std::string_view title) {
 std::optional<std::string> help_on(std::string_view keyword) {
   std::string out;
   for (const Topic& topic : topics())
-    if (topic.keyword == keyword || (topic.kind != nullptr && topic.kind->table.name == keyword))
+    if (topic.keyword == keyword ||
+        (topic.kind != nullptr ? std::string(topic.kind->table.name)
+                               : fmt::format("{} section", topic.keyword)) == keyword)
       out += (out.empty() ? "" : "\n") + help_on(topic);
   return out.empty() ? std::nullopt : std::optional(out);
 }
