@@ -325,5 +325,21 @@ TEST(SceneLanguage, WritesWhatReadsAsTheEqualScene) {
   EXPECT_EQ(write_toml(again).value(), text);
 }
 
+TEST(SceneLanguage, RefusesToWriteWhatItWouldNotRead) {
+  Scene s = scene(kSphere);
+  s.materials[0].reflection = -0.5;
+  s.spheres[0].shape.radius = 0;
+  const Result<std::string> written = write_toml(s);
+  ASSERT_FALSE(written);
+  ASSERT_EQ(written.error().size(), 2u);
+  EXPECT_EQ(
+      to_string(written.error()[0]),
+      "error: the scene language cannot say this: reflection of material default is -0.5: expected "
+      "a number, 0 or more\n");
+  EXPECT_EQ(to_string(written.error()[1]),
+            "error: the scene language cannot say this: radius of sphere is 0: expected a number "
+            "greater than 0\n");
+}
+
 }  // namespace
 }  // namespace zraka

@@ -82,7 +82,8 @@ Likeness likeness_to_toml(std::string_view text) {
               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.\"' ") ==
               std::string_view::npos;
       const bool is_arrow = equals + 1 < line.size() && line[equals + 1] == '>';  // of the lab's
-      return equals != std::string_view::npos && is_key && !is_arrow ? Likeness::sure : Likeness::none;
+      return equals != std::string_view::npos && is_key && !is_arrow ? Likeness::sure
+                                                                     : Likeness::none;
     }
     text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
   }
@@ -102,7 +103,13 @@ Result<std::string> write_toml(const Scene& scene) {
   }
   for (const Section* section : language::kSections)
     if (section->write != nullptr) section->write(output);
-  return std::move(output.text);
+  if (output.text.problems.empty()) return std::move(output.text.text);
+  Diagnostics problems;
+  for (std::string& problem : output.text.problems) {
+    if (problems.size() == toml::kEnoughProblems) break;
+    problems.push_back({.message = "the scene language cannot say this: " + std::move(problem)});
+  }
+  return tl::make_unexpected(std::move(problems));
 }
 
 Result<WrittenScene> write_toml_scene(const Scene& scene) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/fields.hpp"
 #include "language/problems.hpp"
@@ -29,12 +30,23 @@ void read_fields(const toml::Node& node, std::string_view what, std::span<const 
 void read_fields(const toml::Node& node, const Table& table, std::string_view what, void* object,
                  Problems& problems);
 
-/// A single value, for fields that no table has: monostate, and the problem told, if it is none.
-FieldValue read_value(const toml::Node& node, const Field& field, std::string_view what,
-                      Problems& problems);
+/// A node as a value of a kind; monostate if it is none, or of a kind that reads itself.
+FieldValue value_as(FieldKind kind, const toml::Node& node);
+
+/// Whether a field may have a value of its kind: what is out of its range it may not.
+bool allowed(const Field& field, const FieldValue& value);
+
+/// TOML while it is written, and what it cannot say.
+struct Text {
+  std::string text;
+  std::vector<std::string> problems;
+};
 
 /// Appends "key = value", a line for every field that is required or differs from its default.
-void write_fields(const Table& table, const void* object, std::string& out);
+void write_fields(const Table& table, std::string_view what, const void* object, Text& out);
+/// The same below a header, which stands there for nothing only if it is `needed`.
+void write_table(std::string_view header, bool needed, const Table& table, std::string_view what,
+                 const void* object, Text& out);
 
 /// A value as TOML.
 std::string text_of(const Field& field, const FieldValue& value);

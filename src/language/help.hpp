@@ -16,7 +16,8 @@ std::vector<std::string_view> keywords();
 /// The same in lines behind a title.
 std::string keywords_in_lines(std::string_view title);
 
-/// All about a section ("render" or "render section") or a kind; none where there is no such keyword.
+/// All about a section ("render" or "render section") or a kind; none where there is no such
+/// keyword.
 std::optional<std::string> help_on(std::string_view keyword);
 
 struct Page {

@@ -25,7 +25,7 @@ struct Input {
 /// A scene while it is written.
 struct Output {
   const Scene& scene;
-  std::string text{};
+  Text text{};
   std::vector<std::string> materials{};  ///< names
 };
 

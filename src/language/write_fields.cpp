@@ -107,18 +107,32 @@ std::string text_of(const Field& field, const FieldValue& value) {
   return std::visit(Writer{field}, value);
 }
 
-void write_fields(const Table& table, const void* object, std::string& out) {
+void write_fields(const Table& table, std::string_view what, const void* object, Text& out) {
   for (const Field& field : table.fields) {
     if (!field.built) continue;
     if (field.kind == FieldKind::table) {
-      out += fmt::format("{} = {}\n", field.key, inline_table(*field.table, inside(field, object)));
+      out.text +=
+          fmt::format("{} = {}\n", field.key, inline_table(*field.table, inside(field, object)));
       continue;
     }
     const FieldValue value = field.get(object);
     if (value.index() == 0 || (!field.about.required && same(value, field.get(table.defaults()))))
       continue;
-    out += fmt::format("{} = {}\n", field.key, text_of(field, value));
+    const std::string written = text_of(field, value);
+    out.text += fmt::format("{} = {}\n", field.key, written);
+    if (!allowed(field, value))
+      out.problems.push_back(
+          fmt::format("{} of {} is {}: expected {}", field.key, what, written, expected_of(field)));
   }
+}
+
+void write_table(std::string_view header, bool needed, const Table& table, std::string_view what,
+                 const void* object, Text& out) {
+  const std::string opening = fmt::format("{}{}\n", out.text.empty() ? "" : "\n", header);
+  out.text += opening;
+  const std::size_t before = out.text.size();
+  write_fields(table, what, object, out);
+  if (out.text.size() == before && !needed) out.text.resize(before - opening.size());
 }
 
 }  // namespace zraka::language

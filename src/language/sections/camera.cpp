@@ -15,8 +15,10 @@ void put(Perspective& p, Item& item) {
   Scene& scene = item.input.scene;
   const double aspect = static_cast<double>(scene.resolution.width) / scene.resolution.height;
   const std::optional<Camera> camera = look_at(p.eye, p.look_at, p.up, p.fov_deg, aspect);
-  if (camera)
+  if (camera && spans_a_plane(camera->window_right, camera->window_up))
     scene.camera = *camera;
+  else if (camera)
+    item.complain("fov_deg", "the angle of view is too small to be told from 0");
   else if (p.eye == p.look_at)
     item.complain("look_at", "the camera's eye is at the point that it looks at");
   else
@@ -89,8 +91,8 @@ void write(Output& output) {
   const Camera& camera = output.scene.camera;
   const WindowCamera entry{camera.eye,
                            {camera.window_center, camera.window_right, camera.window_up}};
-  output.text += "\n[camera]\nkind = \"window\"\n";
-  write_fields(kWindowKind.table, &entry, output.text);
+  write_table("[camera]\nkind = \"window\"", true, kWindowKind.table, kWindowKind.table.name,
+              &entry, output.text);
 }
 
 }  // namespace

@@ -29,8 +29,7 @@ void read(const toml::Node& node, Input& input) {
 }
 
 void write(Output& output) {
-  output.text += "[image]\n";
-  write_fields(kTable, &output.scene.resolution, output.text);
+  write_table("[image]", true, kTable, "image", &output.scene.resolution, output.text);
 }
 
 }  // namespace

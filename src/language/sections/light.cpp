@@ -28,10 +28,8 @@ void read(const toml::Node& node, Input& input) {
 }
 
 void write(Output& output) {
-  for (const PointLight& light : output.scene.lights) {
-    output.text += "\n[[light]]\n";
-    write_fields(kPoint.table, &light, output.text);
-  }
+  for (const PointLight& light : output.scene.lights)
+    write_table("[[light]]", true, kPoint.table, kPoint.table.name, &light, output.text);
 }
 
 }  // namespace

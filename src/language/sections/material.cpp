@@ -82,8 +82,9 @@ void read(const toml::Node& node, Input& input) {
 
 void write(Output& output) {
   for (std::size_t i = 0; i < output.scene.materials.size(); ++i) {
-    output.text += fmt::format("\n[material.{}]\n", key_of(output.materials[i]));
-    write_fields(kTable, &output.scene.materials[i], output.text);
+    const std::string key = key_of(output.materials[i]);
+    write_table(fmt::format("[material.{}]", key), true, kTable, fmt::format("material {}", key),
+                &output.scene.materials[i], output.text);
   }
 }
 

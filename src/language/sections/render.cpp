@@ -37,9 +37,7 @@ void read(const toml::Node& node, Input& input) {
 }
 
 void write(Output& output) {
-  std::string fields;
-  write_fields(kTable, &output.scene.defaults, fields);
-  if (!fields.empty()) output.text += "\n[render]\n" + fields;
+  write_table("[render]", false, kTable, "render", &output.scene.defaults, output.text);
 }
 
 }  // namespace

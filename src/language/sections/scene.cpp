@@ -21,9 +21,7 @@ void read(const toml::Node& node, Input& input) {
 }
 
 void write(Output& output) {
-  std::string fields;
-  write_fields(kTable, &output.scene, fields);
-  if (!fields.empty()) output.text += "\n[scene]\n" + fields;
+  write_table("[scene]", false, kTable, "scene", &output.scene, output.text);
 }
 
 }  // namespace

@@ -88,9 +88,9 @@ void write(Output& output) {
 
 void ShapeOutput::write(const Kind& kind, const void* entry) {
   const Common common{std::string(material), std::string(name)};
-  output.text += fmt::format("\n[[shape]]\nkind = {}\n", quoted(kind.name));
-  write_fields(kFamily.common, &common, output.text);
-  write_fields(kind.table, entry, output.text);
+  write_table(fmt::format("[[shape]]\nkind = {}", quoted(kind.name)), true, kFamily.common,
+              kind.table.name, &common, output.text);
+  write_fields(kind.table, kind.table.name, entry, output.text);
 }
 
 constexpr Section section::shape = {.key = "shape",
