@@ -250,9 +250,11 @@ TEST(Nff, IsElseKnownByItsName) {
   };
   for (const std::string text : {"3\nwater\nO 0 0 0\nH 1 0 0\nH 0 1 0\n", "// POV\ncamera {\n}\n",
                                  "BEGIN_SCENE\nRESOLUTION 400 400\n"})
-    EXPECT_EQ(answer_of_unknown(text),
-              "a.xyz: error: is of no format that can be read\n"
-              "  scenes are NFF (docs/nff.md) or the course's input.txt (docs/input-txt.md)\n");
+    EXPECT_EQ(
+        answer_of_unknown(text),
+        "a.xyz: error: is of no format that can be read\n"
+        "  scenes are TOML (docs/scene-language/), NFF (docs/nff.md) or the course's input.txt "
+        "(docs/input-txt.md)\n");
   EXPECT_EQ(parse_scene("<oko => 0, 0, 2:", "f.nff").error().front().message.find("NFF"),
             std::string::npos)
       << "what begins with a label is the lab's, whatever its name";

@@ -221,6 +221,9 @@ TEST(SceneLanguage, SaysWhatIsWrongWithValuesThatDoNotGoTogether) {
   EXPECT_EQ(answer("[camera]\neye = [1, 2, 3]\nlook_at = [1, 2, 3]\n"),
             "s.toml:3:11: error: the camera's eye is at the point that it looks at\n"
             "  look_at = [1, 2, 3]\n            ^\n");
+  EXPECT_EQ(answer("[camera]\nfov_deg = 1e-200\n"),
+            "s.toml:2:11: error: the angle of view is too small to be told from 0\n"
+            "  fov_deg = 1e-200\n            ^\n");
   EXPECT_EQ(answer("[camera]\nup = [0, 0, 2]\n"),
             "s.toml:2:6: error: up of perspective camera is the direction of view\n"
             "  up = [0, 0, 2]\n       ^\n"
