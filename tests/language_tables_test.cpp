@@ -245,6 +245,14 @@ TEST(LanguageTables, AreCompleteAndWithoutDoubles) {
   });
 }
 
+TEST(LanguageTables, NameNoKindAsBuiltAndNotBuilt) {
+  for (const Topic& topic : topics()) {
+    if (topic.kind == nullptr) continue;
+    for (const std::string_view kind : topic.section->family->not_built)
+      EXPECT_NE(kind, topic.kind->name);
+  }
+}
+
 TEST(LanguageTables, ExplainEveryKeyword) {
   std::set<std::string_view> seen;
   for (const std::string_view keyword : keywords()) {

@@ -21,11 +21,14 @@ namespace {
 const Kind* kind_of_node(const toml::Node& node, const Family& family, Problems& problems) {
   std::string_view name = family.default_kind;
   const toml::Node* const kind = node.find("kind");
-  std::vector<std::string_view> names;
-  for (const Kind* each : family.kinds) names.push_back(each->name);
+  const auto known = [&] {
+    std::vector<std::string_view> names;
+    for (const Kind* each : family.kinds) names.push_back(each->name);
+    return names;
+  };
   if (kind == nullptr && name.empty()) {
     problems.missing(node.begin, fmt::format("{} has no kind", family.name),
-                     fmt::format("kinds of {}: {}", family.name, fmt::join(names, ", ")));
+                     fmt::format("kinds of {}: {}", family.name, fmt::join(known(), ", ")));
     return nullptr;
   }
   if (kind != nullptr) {
@@ -44,7 +47,7 @@ const Kind* kind_of_node(const toml::Node& node, const Family& family, Problems&
     return nullptr;
   }
   problems.unknown(kind->begin, fmt::format("unknown kind '{}' of {}", shown(name), family.name),
-                   name, names, fmt::format("kinds of {}", family.name));
+                   name, known(), fmt::format("kinds of {}", family.name));
   return nullptr;
 }
 

@@ -19,6 +19,12 @@
 
 namespace zraka::language {
 
+/// Kinds of the language that are not built yet.
+inline constexpr std::string_view kShapesNotBuilt[] = {
+    "ellipsoid", "box",   "plane",        "parallelogram",  "disc",
+    "capsule",   "torus", "quadric",      "superellipsoid", "height_field",
+    "mesh",      "union", "intersection", "difference",     "instance"};
+
 namespace shape {
 #define ZRAKA_DECLARE(name) extern const Kind name;
 ZRAKA_SHAPE_KINDS(ZRAKA_DECLARE)

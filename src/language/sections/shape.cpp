@@ -25,10 +25,6 @@ constexpr const Kind* kKinds[] = {
     ZRAKA_SHAPE_KINDS(ZRAKA_ADDRESS)
 #undef ZRAKA_ADDRESS
 };
-constexpr std::string_view kNotBuilt[] = {
-    "ellipsoid", "box",   "plane",        "parallelogram",  "disc",
-    "capsule",   "torus", "quadric",      "superellipsoid", "height_field",
-    "mesh",      "union", "intersection", "difference",     "instance"};
 /// The index of a material by its name; the one called default need not be in the file.
 std::uint32_t material_named(const std::string& name, const Item& item) {
   Input& input = item.input;
@@ -59,7 +55,7 @@ constexpr Family kFamily = {
     .name = "shape",
     .default_kind = "",
     .kinds = kKinds,
-    .not_built = kNotBuilt,
+    .not_built = kShapesNotBuilt,
     .common = table_of<Common>("shape", "What every shape has.", kCommonFields),
     .prepare = prepare};
 
