@@ -12,7 +12,7 @@
 namespace {
 
 zraka::Result<zraka::ReadScene> read(std::string_view text) {
-  return zraka::parse_toml(text, "fuzz", [](const char*) {});
+  return zraka::parse_toml(text, "fuzz");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace zraka::language {
 namespace {
 
 std::string answer(const std::string& text) {
-  const Result<ReadScene> read = parse_toml(text, "s", [](const char*) {});
+  const Result<ReadScene> read = parse_toml(text, "s");
   std::string all;
   for (const Diagnostic& d : read ? read->warnings : read.error()) all += to_string(d);
   return all;

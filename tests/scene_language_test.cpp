@@ -14,7 +14,7 @@ namespace zraka {
 namespace {
 
 Result<ReadScene> read(const std::string& text) {
-  return parse_toml(text, "s.toml", [](const char*) {});
+  return parse_toml(text, "s.toml");
 }
 std::string answer(const std::string& text) {
   const Result<ReadScene> scene = read(text);

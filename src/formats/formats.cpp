@@ -2,6 +2,8 @@
 // The list of scene formats, and how a file finds its own.
 #include "formats/formats.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>

@@ -38,7 +38,7 @@ void read_section(const Section& section, const toml::Node& node, Input& input) 
 
 }  // namespace
 
-Result<ReadScene> parse_toml(std::string_view text, const std::string& name, const Passed&) {
+Result<ReadScene> parse_toml(std::string_view text, const std::string& name) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   toml::Document document = toml::parse(text);
   language::Problems problems(text, name);
