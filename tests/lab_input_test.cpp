@@ -37,7 +37,7 @@ TEST(LabInput, HasItsValuesInOrder) {
   EXPECT_EQ(s.lights[0].color, (Color{1, 1, 1}));
   EXPECT_EQ(s.ambient_light, (Color{0.5, 0.5, 0.5}));
   EXPECT_EQ(s.background, Color{});
-  EXPECT_EQ(s.default_profile, ProfileName::lab);
+  EXPECT_EQ(s.defaults.profile, ProfileName::lab);
   ASSERT_EQ(s.spheres.size(), 1u);
   EXPECT_EQ(s.spheres[0].shape.center, (Vec3{1, 2, -3}));
   EXPECT_EQ(s.spheres[0].shape.radius, 0.5);

@@ -163,7 +163,7 @@ TEST(Nff, HasAViewThroughAWindow) {
   EXPECT_NEAR(s.camera.window_right.x, 4, 1e-12);  // twice as wide as tall
   EXPECT_EQ(s.resolution.width, 40u);
   EXPECT_EQ(s.resolution.height, 20u);
-  EXPECT_EQ(s.default_profile, ProfileName::physical);
+  EXPECT_EQ(s.defaults.profile, ProfileName::physical);
 }
 
 TEST(Nff, HasLightsOfTheDatabasesRule) {
@@ -250,7 +250,8 @@ TEST(Nff, IsElseKnownByItsName) {
   };
   EXPECT_EQ(answer_of_unknown("// notes\n// of somebody\n"),
             "a.xyz: error: is of no format that can be read\n"
-            "  scenes are NFF (docs/nff.md) or the course's input.txt (docs/input-txt.md)\n");
+            "  scenes are TOML (docs/scene-language/), NFF (docs/nff.md) or the course's input.txt "
+            "(docs/input-txt.md)\n");
   EXPECT_EQ(parse_scene("<oko => 0, 0, 2:", "f.nff").error().front().message.find("NFF"),
             std::string::npos)
       << "what begins with a label is the lab's, whatever its name";

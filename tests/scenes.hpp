@@ -20,7 +20,7 @@ inline Scene lab_scene(std::uint32_t resolution = 100) {
   Scene scene;
   scene.resolution = {resolution, resolution};
   scene.lights = {{{0, 2, 2}, {1, 1, 1}}};
-  scene.default_profile = ProfileName::lab;
+  scene.defaults.profile = ProfileName::lab;
   return scene;
 }
 

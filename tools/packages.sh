@@ -5,4 +5,4 @@ libopenexr-dev libfmt-dev libfreetype-dev libfontconfig-dev libcli11-dev nlohman
 test_packages="libgtest-dev binutils libbenchmark-dev python3"
 # The rivals; without them benchmarks run with those that are there.
 bench_packages="libbenchmark-dev python3 libembree-dev tachyon-bin-nox povray"
-clang_packages="clang-19"
+clang_packages="clang-19 libclang-rt-19-dev"

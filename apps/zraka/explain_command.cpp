@@ -82,7 +82,7 @@ int run(const Arguments& arguments) {
   Result<Scene> scene = arguments.load({arguments.output, arguments.rays});
   if (!scene) return fail(scene.error());
   RenderOptions options = arguments.options(*scene);
-  options.terms = terms_of(*stage_named(arguments.stage));
+  options.terms = terms_of(*stage_named(arguments.stage), *scene);
   Result<Explainer> explainer = mistaken_explainer(*scene, options, mistake_of(arguments.mistake));
   if (!explainer) return fail(explainer.error());
   const Result<Explanation> explanation =

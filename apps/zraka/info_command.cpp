@@ -45,7 +45,7 @@ Json json_of(const Vec3& v) {
 
 void print_json(const Scene& scene, const Facts& facts) {
   Json json = {{"format", scene.format},
-               {"profile", name_of(scene.default_profile)},
+               {"profile", name_of(scene.defaults.profile)},
                {"resolution", {scene.resolution.width, scene.resolution.height}},
                {"eye", json_of(scene.camera.eye)}};
   json["lights"] = Json::array();
@@ -67,7 +67,7 @@ std::string text_of(const Vec3& v) {
 
 void print_text(const Scene& scene, const Facts& facts) {
   fmt::print("format      {}, drawn with the {} profile\n", scene.format,
-             name_of(scene.default_profile));
+             name_of(scene.defaults.profile));
   fmt::print("picture     {} × {} pixels\n", scene.resolution.width, scene.resolution.height);
   fmt::print("eye         {}\n", text_of(scene.camera.eye));
   for (const PointLight& light : scene.lights)

@@ -106,7 +106,7 @@ int run(const Arguments& arguments) {
   const Result<Scene> scene = arguments.load({arguments.output_name(), arguments.answers});
   if (!scene) return fail(scene.error());
   RenderOptions options = arguments.options(*scene);
-  options.terms = terms_of(*stage_named(arguments.stage));
+  options.terms = terms_of(*stage_named(arguments.stage), *scene);
   const Result<Quiz> quiz = [&] {
     Progress progress(arguments.quiet);
     options.progress = progress.callback();
@@ -126,7 +126,7 @@ int run(const Arguments& arguments) {
                                    : std::filesystem::path(arguments.scene).filename().string(),
                       .resolution = scene->resolution,
                       .profile = arguments.profile_name(*scene),
-                      .max_depth = arguments.max_depth,
+                      .max_depth = options.max_depth,
                       .seed = *seed_named(arguments.seed),
                       .answers = arguments.answers.empty(),
                       .files = *files};

@@ -76,7 +76,7 @@ int run(const Arguments& arguments) {
   seconds.load = since(start);
 
   RenderOptions options = arguments.options(*scene);
-  options.terms = terms_of(*stage_named(arguments.stage));
+  options.terms = terms_of(*stage_named(arguments.stage), *scene);
   Result<Rendering> rendering;
   const Mistake mistake = mistake_of(arguments.mistake);
   {

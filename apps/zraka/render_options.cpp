@@ -51,8 +51,10 @@ void RenderArguments::add_to(Command& command, Needs scene_needed) {
       .range(1, 1u << 20);
   command.add("--height", &height, "height of the picture, in pixels").range(1, 1u << 20);
   command
-      .add("--max-depth", &max_depth,
-           "levels of rays after those from the eye (default 4); each may double the time")
+      .add(
+          "--max-depth", &max_depth,
+          "levels of rays after those from the eye (default: the scene's, else 4); each may double "
+          "the time")
       .range(0, kMaxDepth);
   command
       .add("--profile", &profile,
@@ -127,13 +129,20 @@ Result<Scene> RenderArguments::load(const std::vector<std::string>& outputs,
 }
 
 ProfileName RenderArguments::profile_name(const Scene& loaded) const {
-  return profile_named(profile).value_or(loaded.default_profile);
+  return profile_named(profile).value_or(loaded.defaults.profile);
+}
+
+Terms terms_of(Stage stage, const Scene& scene) {
+  Terms terms = zraka::terms_of(stage);
+  terms.shadows = terms.shadows && scene.defaults.shadows == Shadows::opaque;
+  return terms;
 }
 
 RenderOptions RenderArguments::options(const Scene& loaded) const {
   RenderOptions options;
   options.profile = profile_of(profile_name(loaded));
-  options.max_depth = max_depth;
+  options.terms = terms_of(Stage::refraction, loaded);
+  options.max_depth = max_depth < 0 ? loaded.defaults.max_depth : max_depth;
   options.threads = threads;
   options.bind_threads = true;
   options.tile = tile;

@@ -16,8 +16,8 @@ enum class Needs { always, perhaps };
 struct RenderArguments {
   std::string scene;
   std::uint32_t width = 0, height = 0;  // 0: the scene's
-  int max_depth = 4;
-  std::string profile;  // "": the scene's
+  int max_depth = -1;                   // the scene's
+  std::string profile;                  // "": the scene's
   int threads = 0;
   int tile = 0;
   std::string isa;
@@ -31,12 +31,15 @@ struct RenderArguments {
                      std::vector<std::string> other_inputs = {}) const;
   /// The profile asked for, or the scene's.
   ProfileName profile_name(const Scene& scene) const;
-  /// All but terms and progress.
+  /// All but progress; the terms are those of all stages.
   RenderOptions options(const Scene& scene) const;
 };
 
 /// Checks a word against the names of stages: 1…7 or a name.
 std::optional<Stage> stage_named(const std::string& word);
+
+/// The terms of a stage, as far as the scene has them: it may say that there are no shadows.
+Terms terms_of(Stage stage, const Scene& scene);
 
 /// Accepts the name of a PNG to write: whoever asks for a.jpg would be surprised by a PNG in it.
 void check_png_name(Option option);

@@ -64,7 +64,7 @@ Result<void> add_letter(Report& report, Language language, const std::string& te
                                kMostLetterPixels);
   const Result<Scene> scene = generate_letter(text, letter);
   if (!scene) return tl::make_unexpected(scene.error());
-  options.profile = profile_of(scene->default_profile);
+  options.profile = profile_of(scene->defaults.profile);
   const Result<Rendering> rendering = render(*scene, options);
   if (!rendering) return tl::make_unexpected(rendering.error());
   const Image stored = as_stored(rendering->image, options.profile.transfer, 8);

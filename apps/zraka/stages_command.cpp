@@ -28,7 +28,7 @@ Result<std::array<Image, kStages>> render_stages(const Arguments& arguments, con
                                                  RenderOptions options) {
   std::array<Image, kStages> images;
   for (std::size_t i = 0; i < kStages; ++i) {
-    options.terms = terms_of(static_cast<Stage>(i + 1));
+    options.terms = terms_of(static_cast<Stage>(i + 1), scene);
     Progress progress(arguments.quiet);
     options.progress = progress.callback();
     Result<Rendering> rendering = render_mistaken(scene, options, mistake_of(arguments.mistake));

@@ -84,6 +84,11 @@ void show(const Diagnostics& diagnostics) {
   }
 }
 
+Diagnostics about(const std::string& file, Diagnostics diagnostics) {
+  for (Diagnostic& d : diagnostics) d.file = file == "-" ? "standard input" : file;
+  return diagnostics;
+}
+
 int fail(const Diagnostics& diagnostics) {
   show(diagnostics);
   return kFailed;

@@ -26,6 +26,9 @@ void speak(Language language);
 /// Diagnostics on standard error, errors and warnings in colour on a terminal.
 void show(const Diagnostics& diagnostics);
 
+/// What is said of a scene as a whole, said of its file; - is standard input.
+Diagnostics about(const std::string& file, Diagnostics diagnostics);
+
 /// Shows the problems and gives back the exit code for them.
 int fail(const Diagnostics& diagnostics);
 

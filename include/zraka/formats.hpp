@@ -24,6 +24,21 @@ Result<ReadScene> parse_scene(std::string_view text, const std::string& name);
 /// A scene in the course's input.txt format. Fails if the scene has what that format cannot say.
 Result<std::string> write_lab_input(const Scene& scene);
 
+/// A scene in the scene language (docs/scene-language/), in its canonical form: reading it gives an
+/// equal scene, and writing that the same text. Materials without a name get one. Fails if the
+/// scene has what the language cannot say.
+Result<std::string> write_toml(const Scene& scene);
+
+/// A scene as a file, and what it has lost by that: warnings.
+struct WrittenScene {
+  std::string text;
+  Diagnostics losses;
+};
+
+/// A scene in a format: "toml", "nff" or "lab", or a file's name that ends like one of the format.
+/// Fails if the format cannot say where the picture's window is, or has no such shapes or lights.
+Result<WrittenScene> write_scene(const Scene& scene, std::string_view format);
+
 /// Writes text beside `path` and renames it, so that a failure leaves an old file as it was.
 Result<void> write_text_file(const std::string& path, std::string_view text);
 

@@ -64,6 +64,17 @@ struct Resolution {
 /// one by which the Standard Procedural Databases count rays.
 enum class ProfileName { lab, physical, spd };
 
+/// What shadow rays do.
+enum class Shadows { opaque, off };
+
+/// How a scene is rendered where nobody says it.
+struct RenderDefaults {
+  ProfileName profile = ProfileName::physical;  ///< what the file's format is drawn with
+  int max_depth = 4;
+  Shadows shadows = Shadows::opaque;
+  friend bool operator==(const RenderDefaults&, const RenderDefaults&) = default;
+};
+
 struct Scene {
   Camera camera;
   Resolution resolution;
@@ -75,8 +86,10 @@ struct Scene {
   ZRAKA_SHAPES(ZRAKA_STORE)
 #undef ZRAKA_STORE
   std::map<ShapeId, std::string> names;  ///< of those shapes that the file gives one, UTF-8
-  ProfileName default_profile = ProfileName::physical;  ///< what the file's format is drawn with
-  std::string format;                                   ///< the reader's name, for people
+  std::map<std::uint32_t, std::string> material_names;  ///< of those materials that have one
+  RenderDefaults defaults;
+  std::string
+      format;  ///< the reader's name, for people; no part of what equal scenes have in common
 
   /// Number of shapes of all kinds.
   std::uint64_t shape_count() const;

@@ -2,6 +2,8 @@
 // The list of scene formats, and how a file finds its own.
 #include "formats/formats.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -15,8 +17,11 @@ namespace {
 
 /// Found by the content where it tells, for names can be anything, else by the name's ending.
 constexpr std::array kFormats = {
-    Format{"NFF", ".nff", std::uint64_t{1} << 36, likeness_to_nff, parse_nff},
-    Format{"lab input.txt", "", std::uint64_t{1} << 30, likeness_to_lab_input, parse_lab_input},
+    Format{"NFF", "nff", ".nff", std::uint64_t{1} << 36, likeness_to_nff, parse_nff, write_nff},
+    Format{"TOML", "toml", ".toml", std::uint64_t{1} << 30, likeness_to_toml, parse_toml,
+           write_toml_scene},
+    Format{"lab input.txt", "lab", "", std::uint64_t{1} << 30, likeness_to_lab_input,
+           parse_lab_input, write_lab_scene},
 };
 
 bool ends_with(std::string_view name, std::string_view ending) {
@@ -39,8 +44,9 @@ const Format* format_of(std::string_view text, std::string_view name) {
 
 Result<ReadScene> parse_text(std::string_view text, const std::string& name) {
   const Format* const format = format_of(text, name);
-  // Before all readers: the lab's takes whatever begins with a number, and OBJ has a v as NFF does.
-  if (const ForeignFormat foreign = foreign_format_of(text); !foreign.english.empty())
+  // The lab's reader takes whatever begins with a number, and OBJ has a v as NFF does.
+  const bool is_toml = format != nullptr && format->parse == parse_toml;
+  if (const ForeignFormat foreign = foreign_format_of(text); !is_toml && !foreign.english.empty())
     return failure(name,
                    phrase(Word::path_foreign,
                           Phrase{std::string(foreign.english), std::string(foreign.croatian)}),
@@ -58,6 +64,17 @@ Result<ReadScene> parse_text(std::string_view text, const std::string& name) {
 
 Result<ReadScene> parse_scene(std::string_view text, const std::string& name) {
   return parse_text(text, name);
+}
+
+Result<WrittenScene> write_scene(const Scene& scene, std::string_view format) {
+  for (const Format& each : kFormats)
+    if (each.key == format || ends_with(format, each.ending)) return each.write(scene);
+  if (ends_with(format, ".txt")) return write_lab_scene(scene);  // a name that tells no reader
+  std::string keys;
+  for (const Format& each : kFormats)
+    keys += fmt::format("{}{}", keys.empty() ? "" : ", ", each.key);
+  return failure("", fmt::format("'{}' is no format that can be written", format),
+                 fmt::format("formats: {}", keys));
 }
 
 Result<ReadScene> read_scene(const std::string& path) {

@@ -17,10 +17,12 @@ enum class Likeness { none, possible, sure };
 
 struct Format {
   const char* name;         ///< for people
+  const char* key;          ///< for commands
   std::string_view ending;  ///< of its files' names, if any tells
   std::uint64_t largest;  ///< bytes that a file may have; the first format's is the largest of all
   Likeness (*likeness)(std::string_view text);  ///< after a byte order mark, if there is one
   Result<ReadScene> (*parse)(std::string_view text, const std::string& name);
+  Result<WrittenScene> (*write)(const Scene& scene);
 };
 
 /// May stand before any UTF-8.
@@ -41,5 +43,13 @@ std::optional<ReadScene> read_nff_by_blocks(LargeFile& file, const std::string& 
 /// meant as one, or if it is empty or no text, which the reader has words for.
 Likeness likeness_to_lab_input(std::string_view text);
 Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name);
+/// Sure where the text begins, comments aside, with a header or a key and '='.
+Likeness likeness_to_toml(std::string_view text);
+Result<ReadScene> parse_toml(std::string_view text, const std::string& name);
+
+/// Writers of the same formats.
+Result<WrittenScene> write_nff(const Scene& scene);
+Result<WrittenScene> write_toml_scene(const Scene& scene);
+Result<WrittenScene> write_lab_scene(const Scene& scene);
 
 }  // namespace zraka

@@ -331,7 +331,7 @@ bool Reader::check_is_text() {
 Result<ReadScene> Reader::read() {
   if (!check_is_text()) return tl::make_unexpected(std::move(errors_));
   if (text_.starts_with(kByteOrderMark)) tokens_.rewind(kByteOrderMark.size());
-  scene_.default_profile = ProfileName::lab;
+  scene_.defaults.profile = ProfileName::lab;
   read_head();
   while (!ended_ && !(count_known_ && sphere_ == announced_)) {
     // Where the count is no help, the spheres end where the file does.

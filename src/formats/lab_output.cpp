@@ -2,7 +2,8 @@
 // Writer of the course's input.txt.
 #include <fmt/format.h>
 
-#include <zraka/formats.hpp>
+#include "formats/formats.hpp"
+#include "formats/losses.hpp"
 
 namespace zraka {
 
@@ -49,6 +50,14 @@ Result<std::string> write_lab_input(const Scene& scene) {
     fmt::format_to(out, "\t<n => {}:\n\t<faktor refrakcije ni => {}:\n", m.shininess, m.ior);
   }
   return text;
+}
+
+Result<WrittenScene> write_lab_scene(const Scene& scene) {
+  const Result<std::string> text = write_lab_input(scene);
+  if (!text) return tl::make_unexpected(text.error());
+  Losses losses;
+  losses.defaults(scene, {.profile = ProfileName::lab});
+  return WrittenScene{*text, losses.diagnostics("input.txt")};
 }
 
 }  // namespace zraka

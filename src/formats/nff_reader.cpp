@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "scene/polygon.hpp"
+#include "scene/view.hpp"
 
 namespace zraka {
 namespace {
@@ -18,22 +19,6 @@ constexpr const char* kInsideOut =
     "a negative radius makes only the inside visible in NFF; here both sides are";
 constexpr std::array<std::string_view, 6> kWordsOfView = {"from",  "at",     "up",
                                                           "angle", "hither", "resolution"};
-
-Vec3 operator-(const Vec3& a, const Vec3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Vec3 operator*(const Vec3& a, double s) {
-  return {a.x * s, a.y * s, a.z * s};
-}
-Vec3 operator+(const Vec3& a, const Vec3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double length(const Vec3& a) {
-  return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
-}
 
 }  // namespace
 
@@ -133,9 +118,8 @@ bool NffReader::read_view() {
   }
   viewed_ = true;
   view_failed_ = false;
-  const Vec3 along = to_ - from_;
-  if (!(length(along) > 0)) return fail(at_, "the eye is at the place that it looks at");
-  if (!(length(cross(along, up_)) > 0))
+  if (from_ == to_) return fail(at_, "the eye is at the place that it looks at");
+  if (!look_at(from_, to_, up_, angle_, 1))
     return fail(at_, "the upward direction is the one of the view");
   return true;
 }
@@ -271,18 +255,8 @@ bool NffReader::read_entity(std::string_view word) {
 }
 
 void NffReader::set_scene_up() {
-  const Vec3 along = (to_ - from_) * (1 / length(to_ - from_));
-  Vec3 right = cross(along, up_);
-  right = right * (1 / length(right));
-  const double tall = 2 * std::tan(angle_ * 3.14159265358979323846 / 360);
   const double aspect = static_cast<double>(scene_.resolution.width) / scene_.resolution.height;
-  // The window is 1 away, but where the sum of that and the eye's place would lose its digits.
-  const double most = std::max({std::fabs(from_.x), std::fabs(from_.y), std::fabs(from_.z)});
-  int exponent = 0;
-  if (most > 0x1p20) std::frexp(most, &exponent);
-  const double away = std::ldexp(1, exponent);
-  scene_.camera = {from_, from_ + along * away, right * (tall * aspect * away),
-                   cross(right, along) * (tall * away)};
+  scene_.camera = look_at(from_, to_, up_, angle_, aspect).value();
   // The databases' rule, for formats without intensities.
   const auto n = static_cast<double>(std::max<std::size_t>(1, scene_.lights.size()));
   const double intensity = std::sqrt(n) / (2 * n);

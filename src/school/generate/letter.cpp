@@ -222,7 +222,7 @@ Result<Scene> generate_letter(const std::string& text, const LetterOptions& opti
   Scene scene;
   scene.camera.eye = {0, 0, kEye};
   scene.resolution = {options.resolution, options.resolution};
-  scene.default_profile = ProfileName::lab;
+  scene.defaults.profile = ProfileName::lab;
   scene.lights = {{{-2, 3, 3}, {1, 1, 1}}};
   const double half = kFilled * (kEye - kPlane) / kEye * scene.camera.window_right.x / 2;
   float left = discs[0].x, right = left, top = discs[0].y, bottom = top;

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// zraka convert and zraka format: scenes written in a format, or in their canonical form.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "commands.hpp"
+#include "terminal.hpp"
+#include "zraka/zraka.hpp"
+
+namespace zraka::app {
+namespace {
+
+struct Arguments {
+  std::string scene, output = "-", format;
+  bool quiet = false;
+};
+
+int run(const Arguments& arguments) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(arguments.scene, arguments.output, ignored))
+    return fail(
+        failure(arguments.output, "is the scene itself: the result needs another name").value());
+  Result<ReadScene> read = read_scene(arguments.scene);
+  if (!read) return fail(read.error());
+  if (!arguments.quiet) show(read->warnings);
+  const Result<WrittenScene> written =
+      write_scene(read->scene, arguments.format.empty() ? arguments.output : arguments.format);
+  if (!written) return fail(about(arguments.scene, written.error()));
+  if (!arguments.quiet) show(about(arguments.scene, written->losses));
+  const Result<void> saved = write_text_file(arguments.output, written->text);
+  return saved ? kDone : fail(saved.error());
+}
+
+}  // namespace
+
+void add_convert(Command& program) {
+  auto arguments = std::make_shared<Arguments>();
+  Command app = program.add_command("convert", "write a scene in another format");
+  app.add("SCENE", &arguments->scene, "the scene file; - reads standard input").required();
+  app.add("OUTPUT", &arguments->output, "the file to write; - is standard output").required();
+  app.add("--to", &arguments->format, "toml, nff or lab (input.txt); else by the output's name")
+      .one_of({"toml", "nff", "lab"});
+  app.add("-q,--quiet", &arguments->quiet, "say nothing of what the format cannot hold");
+  app.footer(
+      "Examples:\n"
+      "  zraka convert scenes/lab/input.txt scene.toml\n"
+      "  zraka convert scene.toml scene.nff");
+  app.action([arguments] { return run(*arguments); });
+}
+
+void add_format(Command& program) {
+  auto arguments = std::make_shared<Arguments>();
+  arguments->format = "toml";
+  Command app =
+      program.add_command("format", "write a scene in the scene language's canonical form");
+  app.add("SCENE", &arguments->scene, "the scene file; - reads standard input").required();
+  app.add("-o,--output", &arguments->output, "the file to write; - (default) is standard output");
+  app.footer(
+      "Comments are not kept, and what is short for something else is written out.\n"
+      "Examples:\n"
+      "  zraka format scene.toml\n"
+      "  zraka format scene.toml -o formatted.toml");
+  app.action([arguments] { return run(*arguments); });
+}
+
+}  // namespace zraka::app

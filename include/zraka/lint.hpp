@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is odd about a scene that can be rendered.
+#pragma once
+
+#include <zraka/diagnostic.hpp>
+#include <zraka/scene.hpp>
+
+namespace zraka {
+
+/// Warnings about what is seldom meant: materials that give back more light than they get, an eye
+/// or a light inside a sphere, shapes too small beside the scene for floats, no light, nothing in
+/// view. Of each kind the first few, then a count.
+Diagnostics lint(const Scene& scene);
+
+}  // namespace zraka

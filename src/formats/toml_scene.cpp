@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reader and writer of the scene language (docs/scene-language/).
+#include <fmt/format.h>
+
+#include <set>
+
+#include "core/text.hpp"
+#include "formats/formats.hpp"
+#include "language/facts.hpp"
+#include "language/sections.hpp"
+
+namespace zraka {
+namespace {
+
+using language::header_of;
+using language::Input;
+using language::Section;
+using Kind = toml::Node::Kind;
+
+void read_section(const Section& section, const toml::Node& node, Input& input) {
+  const auto refuse = [&](const toml::Node& wrong) {
+    input.problems.error(wrong.key_begin,
+                         fmt::format("'{}' is not written as a section: expected {}", section.key,
+                                     header_of(section)));
+  };
+  if (section.form == Section::Form::one) {
+    if (node.kind != Kind::table) return refuse(node);
+    return section.read(node, input);
+  }
+  const Kind wanted = section.form == Section::Form::list ? Kind::array : Kind::table;
+  if (node.kind != wanted) return refuse(node);
+  for (const toml::Node& child : node.children)
+    if (child.kind != Kind::table)
+      refuse(wanted == Kind::array ? node : child);
+    else
+      section.read(child, input);
+}
+
+}  // namespace
+
+Result<ReadScene> parse_toml(std::string_view text, const std::string& name) {
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  toml::Document document = toml::parse(text);
+  language::Problems problems(text, name);
+  problems.take(std::move(document.problems));
+  ReadScene read;
+  Input input{read.scene, problems};
+
+  const toml::Node none;
+  std::vector<std::string_view> known;
+  for (const Section* section : language::kSections) {
+    known.push_back(section->key);
+    const toml::Node* const node = document.root.find(section->key);
+    if (node != nullptr && section->read == nullptr)
+      problems.error(node->key_begin, fmt::format("{} is not built yet", header_of(*section)));
+    else if (node != nullptr)
+      read_section(*section, *node, input);
+    else if (section->form == Section::Form::one)
+      section->read(none, input);
+  }
+  for (const toml::Node& child : document.root.children)
+    if (std::find(known.begin(), known.end(), child.key) == known.end())
+      problems.unknown(child.key_begin, fmt::format("unknown section '{}'", shown(child.key)),
+                       child.key, known, "sections");
+  const bool good = problems.errors() == 0;
+  Diagnostics all = problems.finish();
+  if (!good) return tl::make_unexpected(std::move(all));
+  read.warnings = std::move(all);
+  return read;
+}
+
+Likeness likeness_to_toml(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view line = trimmed(text.substr(0, text.find('\n')));
+    if (!line.empty() && line.front() != '#') {
+      if (line.front() == '[') return Likeness::sure;
+      const std::size_t equals = line.find('=');
+      const std::string_view key = trimmed(line.substr(0, equals));
+      const bool is_key =
+          !key.empty() &&
+          key.find_first_not_of(
+              "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.\"' ") ==
+              std::string_view::npos;
+      const bool is_arrow = equals + 1 < line.size() && line[equals + 1] == '>';  // of the lab's
+      return equals != std::string_view::npos && is_key && !is_arrow ? Likeness::sure
+                                                                     : Likeness::none;
+    }
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  }
+  return Likeness::none;
+}
+
+Result<std::string> write_toml(const Scene& scene) {
+  language::Output output{scene};
+  std::set<std::string_view> taken;
+  for (const auto& [index, name] : scene.material_names) taken.insert(name);
+  for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
+    const auto named = scene.material_names.find(i);
+    std::string name =
+        named != scene.material_names.end() ? named->second : fmt::format("material_{}", i + 1);
+    while (named == scene.material_names.end() && taken.contains(name)) name += '_';
+    output.materials.push_back(std::move(name));
+  }
+  for (const Section* section : language::kSections)
+    if (section->write != nullptr) section->write(output);
+  if (output.text.problems.empty()) return std::move(output.text.text);
+  Diagnostics problems;
+  for (std::string& problem : output.text.problems) {
+    if (problems.size() == toml::kEnoughProblems) break;
+    problems.push_back({.message = "the scene language cannot say this: " + std::move(problem)});
+  }
+  return tl::make_unexpected(std::move(problems));
+}
+
+Result<WrittenScene> write_toml_scene(const Scene& scene) {
+  Result<std::string> text = write_toml(scene);
+  if (!text) return tl::make_unexpected(text.error());
+  return WrittenScene{std::move(*text), {}};
+}
+
+}  // namespace zraka

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/facts.hpp"
+
+#include <fmt/format.h>
+
+namespace zraka::language {
+namespace {
+
+std::string_view unit_of(const Field& field) {
+  const Unit unit = field.about.unit;
+  return unit == Unit::length ? ", in scene units" : unit == Unit::degrees ? ", in degrees" : "";
+}
+
+std::string state_of(const Field& field, const Table& table) {
+  if (!field.built) {
+    if (field.only_number) return fmt::format("only {} is built yet", text_of(*field.only_number));
+    if (field.only_vector) return fmt::format("only {} is built yet", text_of(*field.only_vector));
+    if (!field.only_word.empty())
+      return fmt::format("only {} is built yet", quoted(field.only_word));
+    return "not built yet";
+  }
+  if (field.about.required) return "required";
+  const std::string value = text_of(field, field.get(table.defaults()));
+  return value.empty() || value == "\"\"" ? "" : fmt::format("default {}", value);
+}
+
+}  // namespace
+
+FieldFacts facts_of(const Field& field, const Table& table) {
+  const About& about = field.about;
+  FieldFacts facts{std::string(field.key), std::string(about.text), "", state_of(field, table)};
+  if (!about.symbol.empty()) facts.meaning += fmt::format(" ({})", about.symbol);
+  if (!field.built) return facts;
+  facts.value = fmt::format("{}{}", expected_of(field), unit_of(field));
+  if (!about.later.empty()) facts.value += fmt::format("; {} is not built yet", about.later);
+  return facts;
+}
+
+std::vector<Topic> topics() {
+  std::vector<Topic> all;
+  for (const Section* section : kSections) {
+    all.push_back({section->key, section});
+    if (section->family == nullptr) continue;
+    for (const Kind* kind : section->family->kinds) all.push_back({kind->name, section, kind});
+  }
+  return all;
+}
+
+std::vector<const Table*> tables_of(const Topic& topic) {
+  std::vector<const Table*> tables;
+  if (topic.kind != nullptr) tables.push_back(&topic.kind->table);
+  if (topic.section->table != nullptr) tables.push_back(topic.section->table);
+  if (topic.section->family != nullptr && !topic.section->family->common.fields.empty())
+    tables.push_back(&topic.section->family->common);
+  return tables;
+}
+
+std::string header_of(const Section& section) {
+  switch (section.form) {
+    case Section::Form::one:
+      return fmt::format("[{}]", section.key);
+    case Section::Form::list:
+      return fmt::format("[[{}]]", section.key);
+    case Section::Form::named:
+      return fmt::format("[{}.NAME]", section.key);
+  }
+  return "";
+}
+
+std::string opening_of(const Topic& topic) {
+  std::string text = header_of(*topic.section) + "\n";
+  if (topic.kind != nullptr && topic.kind->name != topic.section->family->default_kind)
+    text += fmt::format("kind = {}\n", quoted(topic.kind->name));
+  return text;
+}
+
+}  // namespace zraka::language

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// JSON Schema (draft 7) of the scene language.
+#include <cmath>
+
+#include "core/json.hpp"
+#include "language/help.hpp"
+#include "language/sections.hpp"
+
+namespace zraka::language {
+namespace {
+
+struct JsonOf {
+  const Field& field;
+  Json operator()(std::monostate) const { return {}; }
+  Json operator()(const Vec3& v) const { return {v.x, v.y, v.z}; }
+  Json operator()(const Color& c) const { return {c.r, c.g, c.b}; }
+  Json operator()(const Chosen& chosen) const {
+    return field.about.choices[static_cast<std::size_t>(chosen.index)].name;
+  }
+  Json operator()(const Points& points) const {
+    Json all = Json::array();
+    for (const Vec3& point : points) all.push_back((*this)(point));
+    return all;
+  }
+  Json operator()(const auto& value) const { return value; }
+};
+
+Json number_of(const Range& range, const char* type) {
+  Json json = {{"type", type}};
+  if (std::isfinite(range.least)) json[range.above ? "exclusiveMinimum" : "minimum"] = range.least;
+  if (std::isfinite(range.most)) json[range.below ? "exclusiveMaximum" : "maximum"] = range.most;
+  return json;
+}
+
+Json array_of(Json items, std::size_t fewest, std::size_t most) {
+  Json json = {{"type", "array"}};
+  json["items"] = std::move(items);
+  json["minItems"] = fewest;
+  if (most != std::numeric_limits<std::size_t>::max()) json["maxItems"] = most;
+  return json;
+}
+
+Json vector_of(const About& about) {
+  Json json = array_of(number_of(about.range, "number"), 3, 3);
+  if (about.unit == Unit::direction) json["not"] = {{"const", {0, 0, 0}}};
+  return json;
+}
+
+Json color_of(const About& about) {
+  Json any = Json::array();
+  any.push_back(vector_of(about));
+  any.push_back(number_of(about.range, "number"));
+  any.push_back({{"type", "string"}, {"pattern", "^#[0-9A-Fa-f]{6}$"}});
+  return {{"anyOf", any}};
+}
+
+Json choice_of(const About& about) {
+  Json names = Json::array();
+  for (const Choice& choice : about.choices)
+    if (choice.built) names.push_back(choice.name);
+  return {{"enum", names}};
+}
+
+/// The one value that a field which is not built may have; null if there is none.
+Json only_value(const Field& field) {
+  const auto one = [](Json value) {
+    Json values = Json::array();
+    values.push_back(std::move(value));
+    return values;
+  };
+  if (!field.only_word.empty()) return {{"enum", one(field.only_word)}};
+  if (field.only_vector) return {{"enum", one(JsonOf{field}(*field.only_vector))}};
+  if (!field.only_number) return {};
+  Json values = one(*field.only_number);
+  values.push_back(Json::array({*field.only_number, *field.only_number, *field.only_number}));
+  return {{"enum", values}};
+}
+
+Json object_of(const std::vector<const Table*>& tables, const Kind* kind, bool kind_needed);
+
+Json value_of(const Field& field) {
+  if (!field.built) return only_value(field);
+  const About& about = field.about;
+  switch (field.kind) {
+    case FieldKind::number:
+      return number_of(about.range, "number");
+    case FieldKind::integer:
+      return number_of(about.range, "integer");
+    case FieldKind::boolean:
+      return {{"type", "boolean"}};
+    case FieldKind::vector:
+      return vector_of(about);
+    case FieldKind::color:
+      return color_of(about);
+    case FieldKind::text:
+      return {{"type", "string"}};
+    case FieldKind::points:
+      return array_of(vector_of(about), about.fewest, about.most);
+    case FieldKind::choice:
+      return choice_of(about);
+    case FieldKind::table:
+      return object_of({field.table}, nullptr, false);
+  }
+  return {};
+}
+
+Json schema_of(const Field& field, const Table& table) {
+  Json json = value_of(field);
+  if (json.is_null()) return json;
+  json["description"] = field.about.text;
+  if (!field.built || field.about.required || field.get == nullptr) return json;
+  Json value = std::visit(JsonOf{field}, field.get(table.defaults()));
+  if (!value.is_null()) json["default"] = std::move(value);
+  return json;
+}
+
+Json object_of(const std::vector<const Table*>& tables, const Kind* kind, bool kind_needed) {
+  Json properties = Json::object(), required = Json::array();
+  if (kind != nullptr) properties["kind"] = {{"const", kind->name}};
+  if (kind_needed) required.push_back("kind");
+  for (const Table* table : tables)
+    for (const Field& field : table->fields) {
+      Json json = schema_of(field, *table);
+      if (!json.is_null()) properties[field.key] = std::move(json);
+      if (field.built && field.about.required) required.push_back(field.key);
+    }
+  Json json = {{"type", "object"}};
+  json["description"] = tables.front()->text;
+  json["properties"] = std::move(properties);
+  json["required"] = std::move(required);
+  json["additionalProperties"] = false;
+  return json;
+}
+
+Json item_of(const Section& section) {
+  if (section.family == nullptr) return object_of({section.table}, nullptr, false);
+  const Family& family = *section.family;
+  Json kinds = Json::array();
+  for (const Kind* kind : family.kinds)
+    kinds.push_back(
+        object_of({&kind->table, &family.common}, kind, kind->name != family.default_kind));
+  return {{"anyOf", kinds}};
+}
+
+Json schema_of(const Section& section) {
+  Json json = item_of(section);
+  switch (section.form) {
+    case Section::Form::one:
+      return json;
+    case Section::Form::list:
+      return {{"type", "array"}, {"description", section.text}, {"items", json}};
+    case Section::Form::named:
+      return {{"type", "object"}, {"description", section.text}, {"additionalProperties", json}};
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string json_schema() {
+  Json properties = Json::object();
+  for (const Section* section : kSections)
+    if (section->read != nullptr) properties[section->key] = schema_of(*section);
+  const Json json = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                     {"title", "A scene of zraka"},
+                     {"type", "object"},
+                     {"properties", properties},
+                     {"additionalProperties", false}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace zraka::language

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a file of the scene language consists of: sections, and kinds of things in some of them. One
+// file each, and a line in sections.hpp or in a list of kinds.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <zraka/scene.hpp>
+
+#include "core/fields.hpp"
+#include "language/fields.hpp"
+
+namespace zraka::language {
+
+/// A scene while it is read.
+struct Input {
+  Scene& scene;
+  Problems& problems;
+  std::unordered_map<std::string_view, std::uint32_t> materials{};  ///< by name
+};
+
+/// A scene while it is written.
+struct Output {
+  const Scene& scene;
+  Text text{};
+  std::vector<std::string> materials{};  ///< names
+};
+
+struct Family;
+
+/// A thing of a family while it is read.
+struct Item {
+  Input& input;
+  const toml::Node& node;
+  const Family& family;
+  void* common;  ///< its fields of the family
+  std::uint32_t material = 0;
+  std::string_view name{};
+
+  /// A problem with a key, or where it is not there, with the thing.
+  void complain(std::string_view key, std::string message, std::string hint = {}) const;
+};
+
+/// One kind of shape, of light, of camera.
+struct Kind {
+  std::string_view name;  ///< the value of `kind`
+  Table table;
+  void (*read)(const Kind& kind, Item& item);
+};
+
+/// Kinds of one thing.
+struct Family {
+  std::string_view name;          ///< "shape"
+  std::string_view default_kind;  ///< "": it has to be said
+  std::span<const Kind* const> kinds;
+  std::span<const std::string_view> not_built;  ///< kinds of the language that are not built yet
+  Table common{};                               ///< fields that all of them have
+  void (*prepare)(Item& item) = nullptr;        ///< once the common fields have been read
+};
+
+/// A kind that is read into an Entry, which put() takes into the scene if all of it is right.
+template <class Entry, void (*put)(Entry&, Item&)>
+constexpr Kind kind_of(std::string_view name, std::string_view called, std::string_view text,
+                       std::span<const Field> fields) {
+  return {name, table_of<Entry>(called, text, fields), [](const Kind& kind, Item& item) {
+            Entry entry{};
+            const Part parts[] = {{&kind.table, &entry}, {&item.family.common, item.common}};
+            Problems& problems = item.input.problems;
+            const std::size_t before = problems.errors();
+            read_fields(item.node, kind.table.name, parts, problems, "kind");
+            if (item.family.prepare != nullptr) item.family.prepare(item);
+            if (problems.errors() == before) put(entry, item);
+          }};
+}
+
+/// Reads a thing of the kind that its table says.
+void read_item(const toml::Node& node, const Family& family, Input& input, void* common = nullptr);
+
+struct Section {
+  enum class Form : std::uint8_t { one, list, named };  ///< [image], [[light]], [material.NAME]
+
+  std::string_view key;
+  Form form = Form::one;
+  std::string_view text;           ///< what it is for: a sentence
+  const Table* table = nullptr;    ///< of what has no kinds
+  const Family* family = nullptr;  ///< of what has
+  /// Once for each table of the section, in the order of the file; of a single one that is not
+  /// there, with an empty one. nullptr: not built yet.
+  void (*read)(const toml::Node& node, Input& input) = nullptr;
+  void (*write)(Output& output) = nullptr;
+};
+
+}  // namespace zraka::language

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values of fields: what they may be, and how a file has them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "language/color.hpp"
+#include "language/fields.hpp"
+
+namespace zraka::language {
+namespace {
+
+using Kind = toml::Node::Kind;
+
+std::string range_of(const Range& range, bool one) {
+  const bool low = std::isfinite(range.least), high = std::isfinite(range.most);
+  const std::string each = one ? "" : "each ";
+  if (low && high)
+    return fmt::format(" {}{} {} {} {}", each, range.above ? "between" : "from", range.least,
+                       range.above ? "and" : "to", range.most);
+  if (low && range.above) return fmt::format(" {}greater than {}", each, range.least);
+  if (low) return fmt::format(", {}{} or more", each, range.least);
+  return "";
+}
+
+bool in_range(double v, const Range& range) {
+  return std::isfinite(v) && (range.above ? v > range.least : v >= range.least) &&
+         (range.below ? v < range.most : v <= range.most);
+}
+
+bool in_range(const Vec3& v, const About& about) {
+  return in_range(v.x, about.range) && in_range(v.y, about.range) && in_range(v.z, about.range) &&
+         !(about.unit == Unit::direction && v == Vec3{});
+}
+
+bool is_number(const toml::Node& node) {
+  return node.kind == Kind::number || node.kind == Kind::integer;
+}
+
+FieldValue vector_of(const toml::Node& node) {
+  if (node.kind != Kind::array || node.children.size() != 3 ||
+      !std::all_of(node.children.begin(), node.children.end(), is_number))
+    return {};
+  return Vec3{node.children[0].number, node.children[1].number, node.children[2].number};
+}
+
+FieldValue color_of(const toml::Node& node) {
+  if (is_number(node)) return Color{node.number, node.number, node.number};
+  if (node.kind == Kind::text) {
+    const std::optional<Color> color = color_of_hex(node.text);
+    return color ? FieldValue(*color) : FieldValue();
+  }
+  const FieldValue value = vector_of(node);
+  const Vec3* const v = std::get_if<Vec3>(&value);
+  return v != nullptr ? FieldValue(Color{v->x, v->y, v->z}) : FieldValue();
+}
+
+FieldValue points_of(const toml::Node& node) {
+  if (node.kind != Kind::array) return {};
+  Points points;
+  for (const toml::Node& child : node.children) {
+    const FieldValue value = vector_of(child);
+    if (value.index() == 0) return {};
+    points.push_back(std::get<Vec3>(value));
+  }
+  return points;
+}
+
+struct Judge {
+  const About& about;
+  bool operator()(double number) const { return in_range(number, about.range); }
+  bool operator()(std::int64_t number) const {
+    return in_range(static_cast<double>(number), about.range);
+  }
+  bool operator()(const Vec3& v) const { return in_range(v, about); }
+  bool operator()(const Color& c) const { return in_range(Vec3{c.r, c.g, c.b}, about); }
+  bool operator()(const Points& points) const {
+    return points.size() >= about.fewest && points.size() <= about.most &&
+           std::all_of(points.begin(), points.end(),
+                       [&](const Vec3& point) { return in_range(point, about); });
+  }
+  bool operator()(const auto&) const { return true; }
+};
+
+}  // namespace
+
+FieldValue value_as(FieldKind kind, const toml::Node& node) {
+  switch (kind) {
+    case FieldKind::number:
+      return is_number(node) ? FieldValue(node.number) : FieldValue();
+    case FieldKind::integer:
+      return node.kind == Kind::integer ? FieldValue(node.integer) : FieldValue();
+    case FieldKind::boolean:
+      return node.kind == Kind::boolean ? FieldValue(node.truth) : FieldValue();
+    case FieldKind::vector:
+      return vector_of(node);
+    case FieldKind::color:
+      return color_of(node);
+    case FieldKind::text:
+      return node.kind == Kind::text ? FieldValue(std::string(node.text)) : FieldValue();
+    case FieldKind::points:
+      return points_of(node);
+    case FieldKind::choice:
+    case FieldKind::table:
+      break;
+  }
+  return {};
+}
+
+bool allowed(const Field& field, const FieldValue& value) {
+  return std::visit(Judge{field.about}, value);
+}
+
+std::string expected_of(const Field& field) {
+  const About& about = field.about;
+  switch (field.kind) {
+    case FieldKind::number:
+      return "a number" + range_of(about.range, true);
+    case FieldKind::integer:
+      return "a whole number" + range_of(about.range, true);
+    case FieldKind::boolean:
+      return "true or false";
+    case FieldKind::vector:
+      return about.unit == Unit::direction
+                 ? "a direction [x, y, z], not all 0"
+                 : "[x, y, z], finite numbers" + range_of(about.range, false);
+    case FieldKind::color:
+      return fmt::format("a colour: [r, g, b]{}, one number for grey, or \"#rrggbb\"",
+                         range_of(about.range, false));
+    case FieldKind::text:
+      return about.unit == Unit::name_of_material ? "the name of a material, in quotes"
+                                                  : "a text in quotes";
+    case FieldKind::points:
+      return about.fewest == about.most
+                 ? fmt::format("{} of [x, y, z] in brackets", about.fewest)
+                 : fmt::format("{} or more of [x, y, z] in brackets", about.fewest);
+    case FieldKind::choice: {
+      std::vector<std::string> names;
+      for (const Choice& choice : about.choices)
+        if (choice.built) names.push_back(quoted(choice.name));
+      const std::string last = names.back();
+      names.pop_back();
+      return names.empty() ? last : fmt::format("{} or {}", fmt::join(names, ", "), last);
+    }
+    case FieldKind::table: {
+      std::vector<std::string_view> keys;
+      for (const Field& inner : field.table->fields) keys.push_back(inner.key);
+      return fmt::format("a table {{{} = …}}", fmt::join(keys, " = …, "));
+    }
+  }
+  return "";
+}
+
+}  // namespace zraka::language

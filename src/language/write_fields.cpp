@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "language/fields.hpp"
+
+namespace zraka::language {
+namespace {
+
+/// -0 is another number than 0 here.
+bool same(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+bool same(const FieldValue& a, const FieldValue& b) {
+  if (a.index() != b.index()) return false;
+  if (const double* const number = std::get_if<double>(&a))
+    return same(*number, std::get<double>(b));
+  if (const Vec3* const v = std::get_if<Vec3>(&a)) {
+    const Vec3& w = std::get<Vec3>(b);
+    return same(v->x, w.x) && same(v->y, w.y) && same(v->z, w.z);
+  }
+  if (const Color* const c = std::get_if<Color>(&a)) {
+    const Color& d = std::get<Color>(b);
+    return same(c->r, d.r) && same(c->g, d.g) && same(c->b, d.b);
+  }
+  return a == b;
+}
+
+bool is_bare(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '-';
+}
+
+/// Only reading writes into an object.
+const void* inside(const Field& field, const void* object) {
+  return field.inside(const_cast<void*>(object));
+}
+
+std::string inline_table(const Table& table, const void* object) {
+  std::string text;
+  for (const Field& field : table.fields) {
+    if (!field.built) continue;
+    const std::string value = field.kind == FieldKind::table
+                                  ? inline_table(*field.table, inside(field, object))
+                                  : text_of(field, field.get(object));
+    if (!value.empty())
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", field.key, value);
+  }
+  return "{" + text + "}";
+}
+
+}  // namespace
+
+std::string text_of(double number) {
+  const std::string text = fmt::format("{}", number);
+  return text == "-0" ? "-0.0" : text;  // a whole number has no -0
+}
+
+std::string text_of(const Vec3& v) {
+  return fmt::format("[{}, {}, {}]", text_of(v.x), text_of(v.y), text_of(v.z));
+}
+
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      out += '\\', out += c;
+    else if (code < 0x20 || code == 0x7F)
+      out += fmt::format("\\u{:04X}", code);
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+std::string key_of(std::string_view name) {
+  const bool bare = !name.empty() && std::all_of(name.begin(), name.end(), is_bare);
+  return bare ? std::string(name) : quoted(name);
+}
+
+std::string text_of(const Field& field, const FieldValue& value) {
+  struct Writer {
+    const Field& field;
+    std::string operator()(std::monostate) const { return ""; }
+    std::string operator()(double number) const { return text_of(number); }
+    std::string operator()(std::int64_t number) const { return std::to_string(number); }
+    std::string operator()(bool truth) const { return truth ? "true" : "false"; }
+    std::string operator()(const Vec3& v) const { return text_of(v); }
+    std::string operator()(const Color& c) const {
+      return same(c.r, c.g) && same(c.g, c.b) ? text_of(c.r) : text_of(Vec3{c.r, c.g, c.b});
+    }
+    std::string operator()(const std::string& text) const { return quoted(text); }
+    std::string operator()(const Chosen& chosen) const {
+      return quoted(field.about.choices[static_cast<std::size_t>(chosen.index)].name);
+    }
+    std::string operator()(const Points& points) const {
+      std::string text;
+      for (const Vec3& point : points) text += (text.empty() ? "" : ", ") + text_of(point);
+      return "[" + text + "]";
+    }
+  };
+  return std::visit(Writer{field}, value);
+}
+
+void write_fields(const Table& table, std::string_view what, const void* object, Text& out) {
+  for (const Field& field : table.fields) {
+    if (!field.built) continue;
+    if (field.kind == FieldKind::table) {
+      out.text +=
+          fmt::format("{} = {}\n", field.key, inline_table(*field.table, inside(field, object)));
+      continue;
+    }
+    const FieldValue value = field.get(object);
+    if (value.index() == 0 || (!field.about.required && same(value, field.get(table.defaults()))))
+      continue;
+    const std::string written = text_of(field, value);
+    out.text += fmt::format("{} = {}\n", field.key, written);
+    if (!allowed(field, value))
+      out.problems.push_back(
+          fmt::format("{} of {} is {}: expected {}", field.key, what, written, expected_of(field)));
+  }
+}
+
+void write_table(std::string_view header, bool needed, const Table& table, std::string_view what,
+                 const void* object, Text& out) {
+  const std::string opening = fmt::format("{}{}\n", out.text.empty() ? "" : "\n", header);
+  out.text += opening;
+  const std::size_t before = out.text.size();
+  write_fields(table, what, object, out);
+  if (out.text.size() == before && !needed) out.text.resize(before - opening.size());
+}
+
+}  // namespace zraka::language

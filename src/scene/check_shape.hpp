@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is wrong with a shape.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "shapes/shapes.hpp"
+
+namespace zraka {
+
+/// Squares and products of what is this far stay finite.
+inline constexpr double kFarthest = 1e100;
+
+template <class Shape>
+bool within_reach(const Shape& shape) {
+  const Box box = ShapeTraits<Shape>::bounds(shape);
+  for (const double side :
+       {box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z})
+    if (!(std::fabs(side) <= kFarthest)) return false;
+  return true;
+}
+
+/// "" where all is well.
+template <class Shape>
+std::string problem_of(const Shape& shape) {
+  if (const char* const problem = ShapeTraits<Shape>::check(shape)) return problem;
+  if (!within_reach(shape))
+    return fmt::format("it reaches farther than {} from the origin", kFarthest);
+  return "";
+}
+
+}  // namespace zraka

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every field of every table has to answer to each bad value, whatever fields there are; and
+// what is derived from the tables besides reading.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "core/json.hpp"
+#include "formats/formats.hpp"
+#include "language/facts.hpp"
+#include "language/help.hpp"
+
+namespace zraka::language {
+namespace {
+
+std::string answer(const std::string& text) {
+  const Result<ReadScene> read = parse_toml(text, "s");
+  std::string all;
+  for (const Diagnostic& d : read ? read->warnings : read.error()) all += to_string(d);
+  return all;
+}
+
+/// A value that is good, another with every number.
+std::string good_value(const Field& field, int number) {
+  const About& about = field.about;
+  const auto vector = [](int n) { return fmt::format("[{}, {}, {}]", n, n * n, 1); };
+  switch (field.kind) {
+    case FieldKind::number:
+    case FieldKind::integer:
+      return std::isfinite(about.range.least) ? text_of(about.range.least + 1) : "1";
+    case FieldKind::boolean:
+      return "false";
+    case FieldKind::vector:
+      return vector(number);
+    case FieldKind::color:
+      return "0.5";
+    case FieldKind::text:
+      return about.unit == Unit::name_of_material ? "\"default\"" : "\"any\"";
+    case FieldKind::choice:
+      return quoted(about.choices[0].name);
+    case FieldKind::points: {
+      std::string all;
+      for (int i = 0; i < static_cast<int>(std::max<std::size_t>(about.fewest, 1)); ++i)
+        all += (i > 0 ? ", " : "") + vector(number + i);
+      return "[" + all + "]";
+    }
+    case FieldKind::table: {
+      std::string all;
+      for (const Field& inner : field.table->fields)
+        all += fmt::format("{}{} = {}", all.empty() ? "" : ", ", inner.key,
+                           good_value(inner, ++number));
+      return "{" + all + "}";
+    }
+  }
+  return "";
+}
+
+/// Values that are wrong for a field, all that can be derived from what the table says.
+std::vector<std::string> bad_values(const Field& field) {
+  const Range& range = field.about.range;
+  std::vector<std::string> numbers = {"nan", "inf", "-inf"};
+  if (std::isfinite(range.least))
+    numbers.push_back(text_of(range.above ? range.least : range.least - 1));
+  if (std::isfinite(range.most))
+    numbers.push_back(text_of(range.below ? range.most : range.most + 1));
+  std::vector<std::string> bad = {"true", "\"no such\"", "[]",
+                                  "{}",   "[[1]]",       "[\"a\", \"b\", \"c\"]"};
+  const auto drop = [&](std::size_t i) { bad.erase(bad.begin() + static_cast<std::ptrdiff_t>(i)); };
+  switch (field.kind) {
+    case FieldKind::number:
+      bad.insert(bad.end(), numbers.begin(), numbers.end());
+      break;
+    case FieldKind::integer:
+      bad.insert(bad.end(), numbers.begin(), numbers.end());
+      bad.push_back(text_of(range.least + 0.5));
+      bad.push_back("99999999999999999999");
+      break;
+    case FieldKind::vector:
+    case FieldKind::color:
+      for (const std::string& number : numbers)
+        for (const char* pattern : {"[{}, 0.5, 0.5]", "[0.5, {}, 0.5]", "[0.5, 0.5, {}]"})
+          bad.push_back(fmt::format(fmt::runtime(pattern), number));
+      bad.push_back("[0.5, 0.5]");
+      bad.push_back("[0.5, 0.5, 0.5, 0.5]");
+      if (field.about.unit == Unit::direction) bad.push_back("[0, 0, 0]");
+      if (field.kind == FieldKind::vector) bad.push_back("1");
+      if (field.kind == FieldKind::color)
+        bad.insert(bad.end(),
+                   {"\"#12345\"", "\"#1234567\"", "\"#12345g\"", "\"#+12345\"", "-1", "inf"});
+      break;
+    case FieldKind::points: {
+      bad.insert(bad.end(), {"1", "[[1, 2, 3]]"});
+      std::string points = "[0, 0, inf]";
+      for (std::size_t i = 1; i < field.about.fewest; ++i) points += fmt::format(", [{}, 1, 2]", i);
+      bad.push_back("[" + points + "]");
+      if (field.about.most < 100) {
+        std::string many;
+        for (std::size_t i = 0; i <= field.about.most; ++i) many += fmt::format("[{}, 1, 2], ", i);
+        bad.push_back("[" + many + "]");
+      }
+      break;
+    }
+    case FieldKind::boolean:
+      drop(0);
+      bad.insert(bad.end(), {"1", "\"true\""});
+      break;
+    case FieldKind::text:
+      if (field.about.unit != Unit::name_of_material) drop(1);
+      bad.push_back("1");
+      break;
+    case FieldKind::choice:
+      bad.insert(bad.end(), {"0", "\"\""});
+      for (const Choice& choice : field.about.choices)
+        if (!choice.built) bad.push_back(quoted(choice.name));
+      break;
+    case FieldKind::table:
+      bad.push_back("1");
+      break;
+  }
+  return bad;
+}
+
+/// The opening of a topic, and the lines of all fields that must be there but one.
+std::string rest_of(const Topic& topic, const Field& but) {
+  std::string text = opening_of(topic);
+  int number = 0;
+  for (const Table* table : tables_of(topic))
+    for (const Field& field : table->fields) {
+      ++number;
+      const bool needed = field.about.required || field.kind == FieldKind::boolean;
+      if (field.built && needed && &field != &but)
+        text += fmt::format("{} = {}\n", field.key, good_value(field, number));
+    }
+  return text;
+}
+
+void each_field(const auto& function) {
+  for (const Topic& topic : topics())
+    if (topic.section->read != nullptr &&
+        (topic.kind != nullptr || topic.section->table != nullptr))
+      for (const Table* table : tables_of(topic))
+        for (const Field& field : table->fields) function(topic, *table, field);
+}
+
+std::size_t lines_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST(LanguageTables, EveryFieldTakesAGoodValue) {
+  each_field([](const Topic& topic, const Table&, const Field& field) {
+    if (!field.built) return;
+    const std::string text =
+        rest_of(topic, field) + fmt::format("{} = {}\n", field.key, good_value(field, 20));
+    EXPECT_EQ(answer(text), "") << text;
+  });
+}
+
+TEST(LanguageTables, EveryFieldRefusesEveryBadValueAtItsPlace) {
+  int tried = 0;
+  each_field([&](const Topic& topic, const Table&, const Field& field) {
+    if (!field.built) return;
+    const std::string rest = rest_of(topic, field);
+    for (const std::string& value : bad_values(field)) {
+      const std::string text = fmt::format("{}{} = {}\n", rest, field.key, value);
+      const std::string place =
+          fmt::format("s:{}:{}: error: ", lines_of(rest) + 1, field.key.size() + 4);
+      const std::string words = answer(text);
+      // Where a table is wrong inside, the place is in it.
+      const bool inside = field.kind == FieldKind::table && value == "{}";
+      EXPECT_TRUE(words.starts_with(place) || inside) << text << "says\n" << words;
+      EXPECT_NE(words.find(field.key), std::string::npos) << words;
+      EXPECT_NE(words, "") << text;
+      ++tried;
+    }
+  });
+  EXPECT_GT(tried, 300) << "the tables have been looked at";
+}
+
+TEST(LanguageTables, EveryFieldThatIsNotBuiltSaysSo) {
+  each_field([](const Topic& topic, const Table&, const Field& field) {
+    if (field.built) return;
+    const std::string rest = rest_of(topic, field);
+    const std::string words = answer(fmt::format("{}{} = 0.125\n", rest, field.key));
+    EXPECT_TRUE(words.starts_with(fmt::format("s:{}:", lines_of(rest) + 1))) << words;
+    EXPECT_NE(words.find("is not built yet\n"), std::string::npos) << words;
+    std::string only = !field.only_word.empty() ? quoted(field.only_word) : "";
+    if (field.only_number) only = text_of(*field.only_number);
+    if (field.only_vector) only = text_of(*field.only_vector);
+    if (only.empty()) return;
+    EXPECT_EQ(answer(fmt::format("{}{} = {}\n", rest, field.key, only)), "");
+  });
+  for (const Section* section : kSections) {
+    if (section->family == nullptr) continue;
+    for (const std::string_view kind : section->family->not_built) {
+      const std::string words =
+          answer(fmt::format("{}\nkind = {}\n", header_of(*section), quoted(kind)));
+      EXPECT_EQ(words.substr(0, words.find('\n')),
+                fmt::format("s:2:8: error: {} of kind {} is not built yet", section->family->name,
+                            quoted(kind)));
+    }
+  }
+}
+
+TEST(LanguageTables, EveryFieldThatIsRequiredIsMissed) {
+  each_field([](const Topic& topic, const Table&, const Field& field) {
+    if (!field.built || !field.about.required) return;
+    const std::string words = answer(rest_of(topic, field));
+    EXPECT_TRUE(words.starts_with("s:1:1: error: ")) << words;
+    EXPECT_NE(words.find(fmt::format(" has no {}: expected {}, {}\n", field.key, field.about.text,
+                                     expected_of(field))),
+              std::string::npos)
+        << words;
+  });
+}
+
+TEST(LanguageTables, EveryFieldIsSuggestedForASlip) {
+  each_field([](const Topic& topic, const Table&, const Field& field) {
+    if (field.key.size() < 2) return;  // a, b, c are nearest to each other
+    const std::string words = answer(fmt::format("{}{}x = 1\n", rest_of(topic, field), field.key));
+    EXPECT_NE(words.find(fmt::format("unknown field '{}x' of ", field.key)), std::string::npos);
+    EXPECT_NE(words.find(fmt::format("did you mean '{}'?\n", field.key)), std::string::npos)
+        << words;
+  });
+}
+
+TEST(LanguageTables, AreCompleteAndWithoutDoubles) {
+  each_field([](const Topic& topic, const Table& table, const Field& field) {
+    EXPECT_FALSE(field.about.text.empty()) << field.key;
+    EXPECT_FALSE(field.about.text.ends_with('.')) << field.about.text;
+    EXPECT_TRUE(table.text.ends_with('.')) << table.text;
+    int same = 0;
+    for (const Table* each : tables_of(topic))
+      for (const Field& other : each->fields) same += other.key == field.key;
+    EXPECT_EQ(same, 1) << field.key;
+    EXPECT_EQ(field.kind == FieldKind::choice, !field.about.choices.empty()) << field.key;
+    // What a type begins with is in its range.
+    if (!field.built || field.about.required || field.get == nullptr) return;
+    const std::string value = text_of(field, field.get(table.defaults()));
+    if (value.empty() || field.key == "caps") return;  // closed ends are not built yet
+    EXPECT_EQ(answer(fmt::format("{}{} = {}\n", rest_of(topic, field), field.key, value)), "");
+  });
+}
+
+TEST(LanguageTables, NameNoKindAsBuiltAndNotBuilt) {
+  for (const Topic& topic : topics()) {
+    if (topic.kind == nullptr) continue;
+    for (const std::string_view kind : topic.section->family->not_built)
+      EXPECT_NE(kind, topic.kind->name);
+  }
+}
+
+TEST(LanguageTables, ExplainEveryKeyword) {
+  std::set<std::string_view> seen;
+  for (const std::string_view keyword : keywords()) {
+    EXPECT_TRUE(seen.insert(keyword).second) << keyword;
+    EXPECT_TRUE(help_on(keyword)) << keyword;
+  }
+  each_field([](const Topic& topic, const Table& table, const Field& field) {
+    const std::string text = help_on(topic.keyword).value_or("");
+    EXPECT_NE(text.find("  " + std::string(field.key) + " "), std::string::npos) << text;
+    const FieldFacts facts = facts_of(field, table);
+    EXPECT_NE(text.find(facts.meaning.substr(0, 20)), std::string::npos) << text;
+  });
+  EXPECT_EQ(help_on("sphere").value_or(""),
+            "sphere: A sphere.\n\n"
+            "  [[shape]]\n"
+            "  kind = \"sphere\"\n"
+            "  center  its centre: [x, y, z], finite numbers; required\n"
+            "  radius  its radius: a number greater than 0, in scene units; required\n"
+            "  material   its material: the name of a material, in quotes; default \"default\"\n"
+            "  name       what explain and influence call it: a text in quotes\n"
+            "  transform  where it is moved to, and how it is turned and scaled; not built yet\n");
+  EXPECT_EQ(help_on("shpere"), std::nullopt);
+}
+
+TEST(LanguageTables, AreTheReference) {
+  for (const Page& page : pages()) {
+    std::ifstream file(ZRAKA_SOURCE_DIR "/docs/scene-language/" + page.name);
+    std::stringstream text;
+    text << file.rdbuf();
+    EXPECT_EQ(text.str(), page.text) << "to write it anew: zraka help --pages docs/scene-language";
+  }
+}
+
+TEST(LanguageTables, AreASchema) {
+  const Result<Json> schema = Json::parse(json_schema(), "schema");
+  ASSERT_TRUE(schema) << to_string(schema.error().front());
+  const std::string text = json_schema();
+  each_field([&](const Topic&, const Table&, const Field& field) {
+    if (!field.built && !field.only_number && !field.only_vector && field.only_word.empty()) return;
+    EXPECT_NE(text.find(quoted(field.key) + ": {"), std::string::npos) << field.key;
+  });
+}
+
+}  // namespace
+}  // namespace zraka::language
