@@ -2,28 +2,27 @@
 // A long list in parts, by all threads.
 #pragma once
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <cstddef>
-
-#include "core/handover.hpp"
 
 namespace zraka {
 
-/// function(begin, end) for parts of [0, count), of at most so many each, by all threads.
-template <class Function>
-void in_parallel(std::size_t count, const Function& function, std::size_t most = 16384) {
-  if (count <= most) return function(std::size_t{0}, count);
-  Handover to_tasks, from_tasks;
-  to_tasks.give();
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, most),
-                    [&](const tbb::blocked_range<std::size_t>& part) {
-                      to_tasks.take();
-                      function(part.begin(), part.end());
-                      from_tasks.give();
-                    });
-  from_tasks.take();
-}
+/// Calls a function that somebody else keeps alive, for (begin, end) of a part.
+class PartFunction {
+ public:
+  template <class Function>
+  PartFunction(const Function& function)
+      : function_(&function), call_([](const void* f, std::size_t begin, std::size_t end) {
+          (*static_cast<const Function*>(f))(begin, end);
+        }) {}
+  void operator()(std::size_t begin, std::size_t end) const { call_(function_, begin, end); }
+
+ private:
+  const void* function_;
+  void (*call_)(const void* function, std::size_t begin, std::size_t end);
+};
+
+/// function(begin, end) for parts of [0, count), of at most so many each, by all threads. No
+/// template: what hands parts to threads takes long to compile, and a call for each part no time.
+void in_parallel(std::size_t count, PartFunction function, std::size_t most = 16384);
 
 }  // namespace zraka
