@@ -41,7 +41,7 @@ std::string good_value(const Field& field, int number) {
     case FieldKind::text:
       return about.unit == Unit::name_of_material ? "\"default\"" : "\"any\"";
     case FieldKind::choice:
-      return quoted(about.choices[0].name);
+      return in_quotes(about.choices[0].name);
     case FieldKind::points: {
       std::string all;
       for (int i = 0; i < static_cast<int>(std::max<std::size_t>(about.fewest, 1)); ++i)
@@ -115,7 +115,7 @@ std::vector<std::string> bad_values(const Field& field) {
     case FieldKind::choice:
       bad.insert(bad.end(), {"0", "\"\""});
       for (const Choice& choice : field.about.choices)
-        if (!choice.built) bad.push_back(quoted(choice.name));
+        if (!choice.built) bad.push_back(in_quotes(choice.name));
       break;
     case FieldKind::table:
       bad.push_back("1");
@@ -187,7 +187,7 @@ TEST(LanguageTables, EveryFieldThatIsNotBuiltSaysSo) {
     const std::string words = answer(fmt::format("{}{} = 0.125\n", rest, field.key));
     EXPECT_TRUE(words.starts_with(fmt::format("s:{}:", lines_of(rest) + 1))) << words;
     EXPECT_NE(words.find("is not built yet\n"), std::string::npos) << words;
-    std::string only = !field.only_word.empty() ? quoted(field.only_word) : "";
+    std::string only = !field.only_word.empty() ? in_quotes(field.only_word) : "";
     if (field.only_number) only = text_of(*field.only_number);
     if (field.only_vector) only = text_of(*field.only_vector);
     if (only.empty()) return;
@@ -197,10 +197,10 @@ TEST(LanguageTables, EveryFieldThatIsNotBuiltSaysSo) {
     if (section->family == nullptr) continue;
     for (const std::string_view kind : section->family->not_built) {
       const std::string words =
-          answer(fmt::format("{}\nkind = {}\n", header_of(*section), quoted(kind)));
+          answer(fmt::format("{}\nkind = {}\n", header_of(*section), in_quotes(kind)));
       EXPECT_EQ(words.substr(0, words.find('\n')),
                 fmt::format("s:2:8: error: {} of kind {} is not built yet", section->family->name,
-                            quoted(kind)));
+                            in_quotes(kind)));
     }
   }
 }
@@ -292,7 +292,7 @@ TEST(LanguageTables, AreASchema) {
   const std::string text = json_schema();
   each_field([&](const Topic&, const Table&, const Field& field) {
     if (!field.built && !field.only_number && !field.only_vector && field.only_word.empty()) return;
-    EXPECT_NE(text.find(quoted(field.key) + ": {"), std::string::npos) << field.key;
+    EXPECT_NE(text.find(in_quotes(field.key) + ": {"), std::string::npos) << field.key;
   });
 }
 

@@ -86,7 +86,7 @@ TEST(Toml, WrittenTextReadsAsItWas) {
   std::string all = "č \" \\ \n \r \t";
   for (char c = 1; c < 0x20; ++c) all += c;
   all += '\x7F';
-  const std::string written = "a = " + language::quoted(all);
+  const std::string written = "a = " + language::in_quotes(all);
   const Document document = parse(written);
   ASSERT_EQ(document.root.children.size(), 1u);
   EXPECT_EQ(document.root.children[0].text, all);

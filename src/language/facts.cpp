@@ -16,7 +16,7 @@ std::string state_of(const Field& field, const Table& table) {
     if (field.only_number) return fmt::format("only {} is built yet", text_of(*field.only_number));
     if (field.only_vector) return fmt::format("only {} is built yet", text_of(*field.only_vector));
     if (!field.only_word.empty())
-      return fmt::format("only {} is built yet", quoted(field.only_word));
+      return fmt::format("only {} is built yet", in_quotes(field.only_word));
     return "not built yet";
   }
   if (field.about.required) return "required";
@@ -70,7 +70,7 @@ std::string header_of(const Section& section) {
 std::string opening_of(const Topic& topic) {
   std::string text = header_of(*topic.section) + "\n";
   if (topic.kind != nullptr && topic.kind->name != topic.section->family->default_kind)
-    text += fmt::format("kind = {}\n", quoted(topic.kind->name));
+    text += fmt::format("kind = {}\n", in_quotes(topic.kind->name));
   return text;
 }
 

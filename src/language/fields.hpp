@@ -52,7 +52,7 @@ void write_table(std::string_view header, bool needed, const Table& table, std::
 std::string text_of(const Field& field, const FieldValue& value);
 std::string text_of(double number);
 std::string text_of(const Vec3& v);
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 /// As a key: bare where it may be.
 std::string key_of(std::string_view name);
 

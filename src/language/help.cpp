@@ -38,7 +38,7 @@ constexpr std::size_t kLine = 96;
 void add_choices(const Field& field, std::size_t indent, std::string& out) {
   for (const Choice& choice : field.about.choices)
     out += std::string(indent, ' ') +
-           wrapped(fmt::format("{}: {}{}", quoted(choice.name), choice.text,
+           wrapped(fmt::format("{}: {}{}", in_quotes(choice.name), choice.text,
                                choice.built ? "" : "; not built yet"),
                    kLine - indent, indent + 2) +
            "\n";

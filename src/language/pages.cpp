@@ -24,7 +24,7 @@ void add_table(const Table& table, std::string& out) {
     const FieldFacts facts = facts_of(field, table);
     std::string meaning = facts.meaning;
     for (const Choice& choice : field.about.choices)
-      meaning += fmt::format("; `{}`: {}{}", quoted(choice.name), choice.text,
+      meaning += fmt::format("; `{}`: {}{}", in_quotes(choice.name), choice.text,
                              choice.built ? "" : " (not built yet)");
     out += fmt::format("| `{}` | {} | {} | {} |\n", facts.key, cell(meaning), cell(facts.value),
                        cell(facts.state));

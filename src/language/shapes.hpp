@@ -2,6 +2,8 @@
 // The list of kinds of shapes that a file may have, and what the file of a kind works with.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <utility>
 #include <vector>
 #include <zraka/scene.hpp>
@@ -44,7 +46,7 @@ void add_shape(Item& item, std::vector<Object<Shape>> Scene::*list, ShapeList ki
                const Shape& shape) {
   if (const std::string problem = problem_of(shape); !problem.empty()) {
     item.input.problems.error(item.node.begin,
-                              std::string(ShapeTraits<Shape>::kName) + ": " + problem);
+                              fmt::format("{}: {}", ShapeTraits<Shape>::kName, problem));
     return;
   }
   auto& objects = item.input.scene.*list;

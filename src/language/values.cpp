@@ -138,7 +138,7 @@ std::string expected_of(const Field& field) {
     case FieldKind::choice: {
       std::vector<std::string> names;
       for (const Choice& choice : about.choices)
-        if (choice.built) names.push_back(quoted(choice.name));
+        if (choice.built) names.push_back(in_quotes(choice.name));
       const std::string last = names.back();
       names.pop_back();
       return names.empty() ? last : fmt::format("{} or {}", fmt::join(names, ", "), last);

@@ -64,7 +64,7 @@ std::string text_of(const Vec3& v) {
   return fmt::format("[{}, {}, {}]", text_of(v.x), text_of(v.y), text_of(v.z));
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
@@ -80,7 +80,7 @@ std::string quoted(std::string_view text) {
 
 std::string key_of(std::string_view name) {
   const bool bare = !name.empty() && std::all_of(name.begin(), name.end(), is_bare);
-  return bare ? std::string(name) : quoted(name);
+  return bare ? std::string(name) : in_quotes(name);
 }
 
 std::string text_of(const Field& field, const FieldValue& value) {
@@ -94,9 +94,9 @@ std::string text_of(const Field& field, const FieldValue& value) {
     std::string operator()(const Color& c) const {
       return same(c.r, c.g) && same(c.g, c.b) ? text_of(c.r) : text_of(Vec3{c.r, c.g, c.b});
     }
-    std::string operator()(const std::string& text) const { return quoted(text); }
+    std::string operator()(const std::string& text) const { return in_quotes(text); }
     std::string operator()(const Chosen& chosen) const {
-      return quoted(field.about.choices[static_cast<std::size_t>(chosen.index)].name);
+      return in_quotes(field.about.choices[static_cast<std::size_t>(chosen.index)].name);
     }
     std::string operator()(const Points& points) const {
       std::string text;

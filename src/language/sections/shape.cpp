@@ -84,7 +84,7 @@ void write(Output& output) {
 
 void ShapeOutput::write(const Kind& kind, const void* entry) {
   const Common common{std::string(material), std::string(name)};
-  write_table(fmt::format("[[shape]]\nkind = {}", quoted(kind.name)), true, kFamily.common,
+  write_table(fmt::format("[[shape]]\nkind = {}", in_quotes(kind.name)), true, kFamily.common,
               kind.table.name, &common, output.text);
   write_fields(kind.table, kind.table.name, entry, output.text);
 }
