@@ -35,8 +35,10 @@ TEST(Affinity, IsChangedOnlyWhereThatIsAskedFor) {
   cpu_set_t all;
   ASSERT_EQ(::sched_getaffinity(0, sizeof(all), &all), 0);
   EXPECT_EQ(moves_while_rendering(false), 0);
-  if (CPU_COUNT(&all) == 2)  // else two threads are not bound to two of many processors
+  // Two threads are not bound to two of many processors.
+  if (CPU_COUNT(&all) == 2) {
     EXPECT_GT(moves_while_rendering(true), 0);
+  }
 }
 
 }  // namespace
