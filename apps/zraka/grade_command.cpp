@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "core/phrase.hpp"
 #include "core/text.hpp"
 #include "core/words.hpp"
 #include "render_options.hpp"
@@ -42,8 +43,8 @@ Result<std::vector<std::string>> submissions_in(const std::string& folder) {
   std::vector<std::string> paths;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
     if (!it->path().filename().string().starts_with('.')) paths.push_back(it->path().string());
-  if (error) return failure(folder, "the folder cannot be read: " + error.message());
-  if (paths.empty()) return failure(folder, "there is nothing in it to mark");
+  if (error) return failure(folder, phrase(Word::grade_folder, reason_of(error.value())));
+  if (paths.empty()) return failure(folder, phrase(Word::grade_nothing));
   std::sort(paths.begin(), paths.end());
   return paths;
 }

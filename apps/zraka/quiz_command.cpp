@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "core/file.hpp"
 #include "core/new_file.hpp"
+#include "core/phrase.hpp"
 #include "progress.hpp"
 #include "render_options.hpp"
 #include "school/quiz/view.hpp"
@@ -114,10 +115,8 @@ int run(const Arguments& arguments) {
   }();
   if (!quiz) return fail(quiz.error());
   if (quiz->questions.size() < static_cast<std::size_t>(arguments.questions) && !arguments.quiet)
-    show({{.severity = Severity::warning,
-           .file = arguments.scene == "-" ? "standard input" : arguments.scene,
-           .message = fmt::format("{} of {} questions: the scene gives no more of these kinds",
-                                  quiz->questions.size(), arguments.questions)}});
+    show({problem(Severity::warning, arguments.scene == "-" ? "standard input" : arguments.scene,
+                  phrase(Word::quiz_fewer, quiz->questions.size(), arguments.questions))});
   const Result<std::vector<std::string>> files = write_pictures(arguments, *quiz);
   if (!files) return fail(files.error());
   const QuizView view{.language = *language_named(arguments.language),

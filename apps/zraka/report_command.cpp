@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "core/file.hpp"
 #include "core/new_file.hpp"
+#include "core/phrase.hpp"
 #include "core/text.hpp"
 #include "image/alter.hpp"
 #include "image/page_picture.hpp"
@@ -84,21 +85,17 @@ int run(const Arguments& arguments) {
   const Language language = *language_named(arguments.language);
   const std::string archive = archive_name(arguments.author);
   if (arguments.zip && archive.empty())
-    return fail(
-        failure("",
-                fmt::format("'{}' has no letter for the archive's name", shown(arguments.author)),
-                "--author takes a name in Latin letters, as in --author 'Ana Šarić'")
-            .value());
+    return fail(failure("", phrase(Word::report_no_letter, shown(arguments.author)),
+                        phrase(Word::report_name_in_latin, "--author", "Ana Šarić"))
+                    .value());
   Result<Scene> scene = arguments.load({});
   if (!scene) return fail(scene.error());
   // The pictures of two stages, their difference, and all files are in memory at once.
   const std::uint64_t pixels = std::uint64_t{scene->resolution.width} * scene->resolution.height;
   if (pixels > kMaxPixels / 8)
-    return fail(
-        failure(arguments.scene,
-                fmt::format("its stages have {} pixels each: {} at most", pixels, kMaxPixels / 8),
-                "ask for smaller pictures with --width")
-            .value());
+    return fail(failure(arguments.scene, phrase(Word::stages_pixels, pixels, kMaxPixels / 8),
+                        phrase(Word::quiz_smaller))
+                    .value());
   const Result<void> folder = make_folder(arguments.folder);
   if (!folder) return fail(folder.error());
 

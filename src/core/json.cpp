@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/phrase.hpp"
 #include "core/text.hpp"
 
 namespace zraka {
@@ -164,21 +165,22 @@ std::string Json::dump(int indent) const {
 }
 
 Result<Json> Json::parse(std::string_view text, const std::string& file, int most_depth) {
-  const auto problem_at = [&](std::size_t at, const std::string& message) {
+  const auto problem_at = [&](std::size_t at, Phrase message) {
     TextPositions positions(text);
     const TextPosition position = positions.at(at);
-    return tl::make_unexpected(Diagnostics{{.file = file,
-                                            .line = position.line,
-                                            .column = position.column,
-                                            .message = message,
-                                            .excerpt = positions.excerpt(at)}});
+    Diagnostic found = problem(Severity::error, file, std::move(message));
+    found.line = position.line;
+    found.column = position.column;
+    found.excerpt = positions.excerpt(at);
+    return tl::make_unexpected(Diagnostics{std::move(found)});
   };
   if (const auto at = too_deep_at(text, most_depth))
-    return problem_at(*at, fmt::format("brackets are nested more than {} deep", most_depth));
+    return problem_at(*at, phrase(Word::json_deep, most_depth));
   try {
     return from_library(Library::parse(text.begin(), text.end()));
   } catch (const Library::parse_error& error) {
-    return problem_at(std::min(error.byte > 0 ? error.byte - 1 : 0, text.size()), "it is no JSON");
+    return problem_at(std::min(error.byte > 0 ? error.byte - 1 : 0, text.size()),
+                      phrase(Word::json_broken));
   }
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "school/grade/rubric.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/file.hpp"
 #include "core/json.hpp"
+#include "core/phrase.hpp"
 #include "core/text.hpp"
 
 namespace zraka {
@@ -19,19 +18,21 @@ Rubric default_rubric() {
 }
 
 Result<Rubric> read_rubric(const std::string& path) {
+  constexpr std::string_view kKeys = "marks, tolerance, share, for_mistake, once, allowed";
   constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 16;
   const Result<std::string> text = read_file(path, kMostBytes);
   if (!text) return tl::make_unexpected(text.error());
   const Result<Json> json = Json::parse(*text, path);
   if (!json) return tl::make_unexpected(json.error());
   if (!json->is_object())
-    return failure(path, "it is no JSON object", "docs/grade.md shows a rubric");
+    return failure(path, phrase(Word::rubric_no_object),
+                   phrase(Word::rubric_shown, "docs/grade.md"));
   Rubric rubric = default_rubric();
   const auto number = [&](const std::string& key, const Json& value, double most,
                           double& to) -> Result<void> {
     double read = 0;
     if (!value.get_number(read) || !(read >= 0 && read <= most))
-      return failure(path, fmt::format("\"{}\" is not a number from 0 to {}", key, most));
+      return failure(path, phrase(Word::rubric_number, key, most));
     to = read;
     return {};
   };
@@ -44,29 +45,30 @@ Result<Rubric> read_rubric(const std::string& path) {
     } else if (key == "for_mistake") {
       good = number(key, value, 1, rubric.for_mistake);
     } else if (key == "once") {
-      if (value.if_bool() == nullptr) return failure(path, "\"once\" is not true or false");
+      if (value.if_bool() == nullptr)
+        return failure(path, phrase(Word::rubric_once, key,
+                                    phrase(Word::rubric_true_or_false, "true", "false")));
       rubric.once = *value.if_bool();
     } else if (key == "marks") {
       if (!value.is_array() || value.size() != rubric.marks.size())
-        return failure(path, "\"marks\" is not an array of seven numbers");
+        return failure(path, phrase(Word::rubric_seven, key));
       for (std::size_t i = 0; i < rubric.marks.size(); ++i)
         if (!(*value.if_array())[i].get_number(rubric.marks[i]) || !(rubric.marks[i] >= 0))
-          return failure(path,
-                         fmt::format("\"marks\": value {} is not a number of 0 or more", i + 1));
+          return failure(path, phrase(Word::rubric_mark, key, i + 1));
     } else if (key == "allowed") {
-      if (!value.is_array()) return failure(path, "\"allowed\" is not an array of mistakes");
+      if (!value.is_array()) return failure(path, phrase(Word::rubric_allowed, key));
       rubric.allowed.clear();
       for (const Json& one : *value.if_array()) {
         const std::string name = one.if_string() != nullptr ? *one.if_string() : one.dump();
         const std::optional<Mistake> mistake = mistake_named(name);
         if (!mistake)
-          return failure(path, fmt::format("\"allowed\": there is no mistake '{}'", shown(name)),
-                         "zraka grade --list names them all");
+          return failure(path, phrase(Word::rubric_no_mistake, key, shown(name)),
+                         phrase(Word::rubric_list, "zraka grade --list"));
         rubric.allowed.insert(*mistake);
       }
     } else {
-      return failure(path, fmt::format("there is no \"{}\" in a rubric", shown(key)),
-                     "marks, tolerance, share, for_mistake, once, allowed");
+      return failure(path, phrase(Word::rubric_unknown, shown(key)),
+                     Phrase{std::string(kKeys), std::string(kKeys)});
     }
     if (!good) return tl::make_unexpected(good.error());
   }
