@@ -28,7 +28,9 @@ expect 1 "standard output: error: cannot be written" bash -c "'$zraka' --help >/
 for command in grade report influence quiz; do
   expect 2 "has no option --mistake" "$zraka" "$command" "$scene" "$scene" --mistake no-power
 done
-expect 2 "is not the name of a PNG" "$zraka" render "$scene" -o p.pfm
+for name in p.pfm p.toml p.txt p.svg; do
+  expect 2 "'$name' is not the name of a PNG" "$zraka" render "$scene" -o $name
+done
 expect 2 "'flake.png' is not the name of an NFF file" "$zraka" generate sphereflake -o flake.png
 expect 1 "standard output: error: cannot be written" bash -c "'$zraka' info $scene >/dev/full"
 for question in --help "render --help" --version "help compare"; do

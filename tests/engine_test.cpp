@@ -316,9 +316,9 @@ TEST(Render, OutlivesScenesOfAnySize) {
       options.isa = isa;
       const Result<Rendering> rendering = render(scene, options);
       // Shapes that no pixel can show, so far from the eye for their size, are told.
-      EXPECT_EQ(rendering ? "" : rendering.error().front().message,
-                size < 1 ? "the eye is so far from all shapes that floats cannot hold the distance"
-                         : "")
+      EXPECT_EQ(
+          rendering ? "" : rendering.error().front().message,
+          size < 1 ? "the eye is so far from all shapes that floats cannot hold the distance" : "")
           << size << " with " << name_of(isa);
     }
   }

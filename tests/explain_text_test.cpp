@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "explain/names.hpp"
 #include "explain/parts.hpp"
 #include "explain/roundest.hpp"
 #include "explain/sentence.hpp"
@@ -370,6 +371,11 @@ ray from the eye
 colour of the pixel: (0.875, 1, 1), stored as (223, 255, 255)
 Bright: 50 % of the colour is the diffuse component of light 1 on sphere 1, 5 % comes by the refracted ray. What adds up to 1.12 is clamped to 1. The depth of 1 cuts off the reflected ray of sphere 1 with its share k1 = 0.5.
 )");
+}
+
+TEST(Text, KeepsWhatSteersATerminalOutOfNames) {
+  EXPECT_EQ(label_of(Language::english, {{0, 2}, "\x1b[31mred"}, Case::nominative).find('\x1b'),
+            std::string::npos);
 }
 
 }  // namespace

@@ -39,6 +39,17 @@ TEST(ForeignFormats, AreNamed) {
     EXPECT_EQ(refusal(text), "is " + std::string(name) + ", which cannot be read yet");
 }
 
+TEST(ForeignFormats, AreNamedBehindAByteOrderMark) {
+  EXPECT_EQ(refusal("\xEF\xBB\xBFITEM: TIMESTEP\n0\n"),
+            "is a LAMMPS dump, which cannot be read yet");
+}
+
+TEST(ForeignFormats, AreNotSeenInCommentsOfNff) {
+  EXPECT_EQ(refusal("#include \"colors.inc\"\nv\nfrom 0 0 1\nat 0 0 0\nup 0 1 0\nangle 45\n"
+                    "hither 1\nresolution 8 8\nf 1 1 1 1 0 1 0 1\ns 0 0 0 0.1\n"),
+            "it is read");
+}
+
 TEST(ForeignFormats, AreNoScenesOfOurs) {
   for (const std::string_view text :
        {"v\nfrom 0 0 1\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 8 8\n",

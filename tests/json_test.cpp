@@ -33,5 +33,11 @@ TEST(JsonText, IsNestedToABound) {
   }
 }
 
+TEST(Json, SaysThatANumberIsTooLarge) {
+  const Result<Json> read = Json::parse("{\"tolerance\": 1e999}", "r.json");
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().front().message, "a number in it is too large");
+}
+
 }  // namespace
 }  // namespace zraka

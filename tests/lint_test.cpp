@@ -74,13 +74,20 @@ TEST(Lint, FindsScenesOfWhichNothingIsSeen) {
 
 TEST(Lint, FindsShapesTooSmallForFloats) {
   Scene scene = plain_scene();
-  add_sphere(scene, {1e6, 0, -2}, 1, {});
-  for (int i = 0; i < 5; ++i) add_sphere(scene, {0, 0, -2}, 0.1, {});
-  EXPECT_EQ(warnings(scene),
-            "warning: sphere 3 is too small beside the scene: 2e-07 of it, where its edges blur\n"
-            "warning: sphere 4 is too small beside the scene: 2e-07 of it, where its edges blur\n"
-            "warning: sphere 5 is too small beside the scene: 2e-07 of it, where its edges blur\n"
-            "warning: and 2 more like this\n");
+  scene.camera.eye = {0, 0, 8};
+  for (int i = 0; i < 5; ++i) add_sphere(scene, {0, 0, -2}, 1e-7, {});
+  const std::string rest =
+      " is too small for where it is: 2e-08 of the way there, where its edges blur\n";
+  EXPECT_EQ(warnings(scene), "warning: sphere 2" + rest + "warning: sphere 3" + rest +
+                                 "warning: sphere 4" + rest + "warning: and 2 more like this\n");
+}
+
+TEST(Lint, FindsNothingSmallOnAGroundOfAnySize) {
+  for (const double radius : {1e3, 3e7, 1e11}) {
+    Scene scene = plain_scene();
+    add_sphere(scene, {0, -radius - 1, 0}, radius, {});
+    EXPECT_EQ(warnings(scene), "") << radius;
+  }
 }
 
 }  // namespace

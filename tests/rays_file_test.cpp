@@ -42,7 +42,8 @@ Scene small_scene() {
 TEST(Segments, GoToWhatTheyMeet) {
   const Scene scene = small_scene();
   const std::vector<Segment> segments = segments_of(scene, explain(scene, lab(), 50, 50).value());
-  ASSERT_EQ(segments.size(), 4u) << "a ray, two shadow rays to lights before the surface, its mirror";
+  ASSERT_EQ(segments.size(), 4u)
+      << "a ray, two shadow rays to lights before the surface, its mirror";
   const auto expect = [&](std::size_t i, SegmentKind kind, Vec3 from, Vec3 to, bool endless) {
     EXPECT_EQ(segments[i].kind, kind) << i;
     EXPECT_NEAR(std::hypot(segments[i].from.x - from.x, segments[i].from.y - from.y,

@@ -91,7 +91,8 @@ TEST(Report, CountsThePixelsThatChangeInTheFiles) {
         EXPECT_EQ(light.facing + light.away, stage.points);
       }
       if (s == 5) {
-        EXPECT_EQ(facing, stage.rays.shadow) << "each shadow ray starts at a point that faces a light";
+        EXPECT_EQ(facing, stage.rays.shadow)
+            << "each shadow ray starts at a point that faces a light";
         EXPECT_GE(stage.shadowed, stage.change.pixels);
         EXPECT_EQ(stage.change.darker, stage.change.pixels);
         EXPECT_GT(blocked, 0u);

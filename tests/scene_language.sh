@@ -107,7 +107,7 @@ exactly 1 "$folder/good.toml: error: the course's input.txt format cannot say wh
   "$zraka" convert "$folder/good.toml" - --to lab
 expect 1 "is no format that can be written" "$zraka" convert "$folder/good.toml" "$folder/good.obj"
 cp "$folder/good.toml" "$folder/own.toml"
-expect 1 "is the scene itself" "$zraka" format "$folder/own.toml" -o "$folder/own.toml"
+expect 1 "would be written over an input of this command" "$zraka" format "$folder/own.toml" -o "$folder/own.toml"
 cmp -s "$folder/good.toml" "$folder/own.toml" || fail "a scene was overwritten"
 
 # help: keywords of the language beside commands.

@@ -239,9 +239,11 @@ TEST(SceneLanguage, SaysWhatIsWrongWithValuesThatDoNotGoTogether) {
       "s.toml:3:10: error: points of polygon are in no plane: one is out of it by 0.24 of the "
       "polygon's reach\n"
       "  points = [[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, …\n           ^\n");
-  EXPECT_EQ(answer("[[shape]]\nkind = \"polygon\"\npoints = [[0, 0, 0], [1, 1, 1], [2, 2, 2]]\n"),
-            "s.toml:3:10: error: points of polygon are all on one line\n"
-            "  points = [[0, 0, 0], [1, 1, 1], [2, 2, 2]]\n           ^\n");
+  EXPECT_EQ(
+      answer("[[shape]]\nkind = \"polygon\"\npoints = [[0, 0, 0], [1, 1, 1], [2, 2, 2]]\n"),
+      "s.toml:3:10: error: points of polygon are all on one line, or its edges cross: corners "
+      "are named in turn, round the polygon\n"
+      "  points = [[0, 0, 0], [1, 1, 1], [2, 2, 2]]\n           ^\n");
   EXPECT_EQ(
       answer("[[shape]]\nkind = \"cone\"\nbase = [0, 0, 0]\ntop = [0, 0, 0]\nbase_radius = 1\n"
              "caps = false\n"),

@@ -2,10 +2,10 @@
 // zraka convert and zraka format: scenes written in a format, or in their canonical form.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 
 #include "commands.hpp"
+#include "core/new_file.hpp"
 #include "terminal.hpp"
 #include "zraka/zraka.hpp"
 
@@ -18,10 +18,8 @@ struct Arguments {
 };
 
 int run(const Arguments& arguments) {
-  std::error_code ignored;
-  if (std::filesystem::equivalent(arguments.scene, arguments.output, ignored))
-    return fail(
-        failure(arguments.output, "is the scene itself: the result needs another name").value());
+  if (const Result<void> apart = check_outputs({arguments.scene}, {arguments.output}); !apart)
+    return fail(apart.error());
   Result<ReadScene> read = read_scene(arguments.scene);
   if (!read) return fail(read.error());
   if (!arguments.quiet) show(read->warnings);

@@ -18,14 +18,13 @@
 namespace zraka::app {
 namespace {
 
+/// Names without an ending, and those of devices and pipes, are anybody's.
 bool is_png_name(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  for (const char* other : {".jpg", ".jpeg", ".ppm", ".pgm", ".pbm", ".pnm", ".pfm", ".exr", ".bmp",
-                            ".tga", ".gif", ".tif", ".tiff", ".hdr", ".webp", ".nff"})
-    if (std::equal(extension.begin(), extension.end(), other, other + std::strlen(other),
-                   [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; }))
-      return false;
-  return true;
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  std::error_code ignored;  // a folder has an error of its own
+  return ending.empty() || ending == ".png" || path.starts_with("/dev/") ||
+         std::filesystem::is_directory(path, ignored);
 }
 
 }  // namespace

@@ -178,6 +178,8 @@ Result<Json> Json::parse(std::string_view text, const std::string& file, int mos
     return problem_at(*at, phrase(Word::json_deep, most_depth));
   try {
     return from_library(Library::parse(text.begin(), text.end()));
+  } catch (const Library::out_of_range&) {
+    return problem_at(0, phrase(Word::json_number));
   } catch (const Library::parse_error& error) {
     return problem_at(std::min(error.byte > 0 ? error.byte - 1 : 0, text.size()),
                       phrase(Word::json_broken));

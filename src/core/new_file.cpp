@@ -231,7 +231,9 @@ Result<void> check_outputs(const std::vector<std::string>& inputs,
     if (const auto read = names.find(file); read != names.end())
       return failure(
           output, "would be written over an input of this command: it needs another name",
-          read->second == output ? "" : fmt::format("it is the file '{}'", shown(read->second)));
+          read->second == output ? ""
+          : read->second == "-"  ? "it is what standard input reads"
+                                 : fmt::format("it is the file '{}'", shown(read->second)));
     if (!written.insert(file).second)
       return failure(output, "would be written twice: each output needs a name of its own");
   }

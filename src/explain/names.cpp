@@ -3,6 +3,7 @@
 
 #include <iterator>
 
+#include "core/text.hpp"
 #include "shapes/shapes.hpp"
 
 namespace zraka {
@@ -35,7 +36,7 @@ std::string_view noun_of(Language language, std::int32_t kind, Case form) {
 std::string label_of(Language language, const NamedShape& shape, Case form) {
   std::string label = fmt::format("{} {}", noun_of(language, shape.id.kind, form),
                                   std::uint64_t{shape.id.index} + 1);
-  if (!shape.name.empty()) label += fmt::format(" '{}'", shape.name);
+  if (!shape.name.empty()) label += fmt::format(" '{}'", shown_line(shape.name));
   return label;
 }
 

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/text.hpp"
+#include "formats/formats.hpp"
 
 namespace zraka {
 namespace {
@@ -72,6 +73,7 @@ bool is_obj(std::string_view text) {
 }
 
 bool is_povray(std::string_view text) {
+  if (likeness_to_nff(text) == Likeness::sure) return false;  // NFF has comments of this kind
   const std::string_view line = first_statement(text, "//");
   return line.starts_with("#include") || line.starts_with("#version") ||
          line.starts_with("#declare") || line.starts_with("global_settings") ||

@@ -46,7 +46,10 @@ Result<ReadScene> parse_text(std::string_view text, const std::string& name) {
   const Format* const format = format_of(text, name);
   // The lab's reader takes whatever begins with a number, and OBJ has a v as NFF does.
   const bool is_toml = format != nullptr && format->parse == parse_toml;
-  if (const ForeignFormat foreign = foreign_format_of(text); !is_toml && !foreign.english.empty())
+  std::string_view beginning = text;
+  if (beginning.starts_with(kByteOrderMark)) beginning.remove_prefix(kByteOrderMark.size());
+  if (const ForeignFormat foreign = foreign_format_of(beginning);
+      !is_toml && !foreign.english.empty())
     return failure(name,
                    phrase(Word::path_foreign,
                           Phrase{std::string(foreign.english), std::string(foreign.croatian)}),

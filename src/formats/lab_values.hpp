@@ -36,9 +36,9 @@ inline constexpr std::array kSphere = {
     Field{{Word::lab_ni}, 1},
 };
 
-/// TextPositions of values among those of the head.
+/// Indices of values among those of the head.
 enum Head { kEye = 0, kSize = 3, kResolution = 4, kLight = 5, kCount = 8, kHeadValues = 9 };
-/// TextPositions of values among those of a sphere.
+/// Indices of values among those of a sphere.
 enum SphereValue {
   kCenter = 0,
   kRadius = 3,

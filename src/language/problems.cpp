@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "core/nearest.hpp"
 #include "core/text.hpp"
@@ -31,6 +33,10 @@ void Problems::missing(std::size_t position, std::string message, std::string hi
 void Problems::unknown(std::size_t position, std::string message, std::string_view word,
                        std::span<const std::string_view> known, std::string_view plural) {
   constexpr std::size_t kMostNamed = 20;
+  if (enough()) {  // to look for what was meant takes as long as all known words
+    ++errors_;
+    return;
+  }
   std::string hint;
   if (const auto meant = nearest_of(word, {known.begin(), known.end()})) {
     hint = fmt::format("did you mean '{}'?", *meant);
@@ -51,11 +57,14 @@ void Problems::take(std::vector<toml::Problem>&& broken) {
 }
 
 Diagnostics Problems::finish() {
-  std::stable_sort(found_.begin(), found_.end(),
-                   [](const Found& a, const Found& b) { return a.position < b.position; });
+  // In the order of the file, and of finding at one place of it.
+  std::vector<std::pair<std::size_t, std::size_t>> order;
+  for (std::size_t i = 0; i < found_.size(); ++i) order.emplace_back(found_[i].position, i);
+  std::sort(order.begin(), order.end());
   Diagnostics all;
   TextPositions positions(text_);
-  for (Found& found : found_) {
+  for (const auto& [position, index] : order) {
+    Found& found = found_[index];
     const TextPosition at = positions.at(found.position);
     all.push_back({found.severity, name_, at.line, at.column, std::move(found.message),
                    std::move(found.hint), positions.excerpt(found.position)});

@@ -309,7 +309,7 @@ bool Parser::read_inline_table(Node& node, int depth) {
     skip_lines();
     if (peek() == '}') break;
     if (at_ >= text_.size()) return fail(begin, "this '{' is never closed");
-    if (!read_pair(node, depth + 1)) return false;
+    if (!read_pair(node, depth + 1) || document_.problems.size() >= kEnoughProblems) return false;
     skip_lines();
     if (peek() == '}') break;
     if (peek() != ',')
@@ -336,9 +336,9 @@ Document Parser::parse() {
   for (;;) {
     skip_lines();
     if (at_ >= text_.size()) break;
-    if (read_statement()) continue;
+    const bool understood = read_statement();
     if (document_.problems.size() >= kEnoughProblems) break;
-    recover();
+    if (!understood) recover();
   }
   return std::move(document_);
 }

@@ -65,8 +65,25 @@ std::string text_of(const Vec3& v) {
 }
 
 std::string in_quotes(std::string_view text) {
+  // Controls of two bytes, and what turns the direction of text, would steer a terminal.
   std::string out = "\"";
-  for (const char c : text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const auto next = [&](std::size_t k) {
+      return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0u;
+    };
+    if (next(0) == 0xC2 && next(1) >= 0x80 && next(1) < 0xA0) {
+      out += fmt::format("\\u{:04X}", next(1));
+      ++i;
+      continue;
+    }
+    if (next(0) == 0xE2 && ((next(1) == 0x80 && (next(2) == 0x8E || next(2) == 0x8F ||
+                                                 (next(2) >= 0xA8 && next(2) <= 0xAE))) ||
+                            (next(1) == 0x81 && next(2) >= 0xA6 && next(2) <= 0xA9))) {
+      out += fmt::format("\\u{:04X}", 0x2000 + ((next(1) & 0x3F) << 6) + (next(2) & 0x3F));
+      i += 2;
+      continue;
+    }
     const auto code = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\')
       out += '\\', out += c;

@@ -150,7 +150,7 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
   const Result<Isa> isa = choose_isa(options.isa);
   if (!isa) return tl::make_unexpected(isa.error());
   if (*isa == Isa::oracle && variation.kernel != nullptr)
-    return failure("", "the oracle makes no mistakes", "ask for avx512, avx2 or portable");
+    return failure("", "the oracle keeps to the rules", "ask for avx512, avx2 or portable");
 
   const Resolution resolution = scene.resolution;
   const int tile =

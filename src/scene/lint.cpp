@@ -5,6 +5,7 @@
 #include <cmath>
 #include <zraka/lint.hpp>
 
+#include "scene/freeze.hpp"
 #include "shapes/shapes.hpp"
 
 namespace zraka {
@@ -131,12 +132,7 @@ void lint_insides(const Scene& scene, Diagnostics& all) {
 }
 
 void lint_places(const Scene& scene, Diagnostics& all) {
-  Box bounds;
-#define ZRAKA_INCLUDE(Type, plural) \
-  for (const auto& object : scene.plural) bounds.include(ShapeTraits<Type>::bounds(object.shape));
-  ZRAKA_SHAPES(ZRAKA_INCLUDE)
-#undef ZRAKA_INCLUDE
-  const double smallest = reach(bounds) * 0x1p-20;  // floats have 24 bits for all of the scene
+  const Vec3 center = frame_of(scene).center;
   const View view(scene.camera);
   bool seen = false;
   std::int32_t kind = 0;
@@ -145,10 +141,14 @@ void lint_places(const Scene& scene, Diagnostics& all) {
     for (std::uint32_t i = 0; i < objects.size(); ++i) {
       const Box box = bounds_of(objects[i].shape);
       seen = seen || view.may_see(box);
-      if (reach(box) < smallest)
+      // Floats have 24 bits for the way from the eye, and from where the engine's frame is.
+      const double away = std::max(box.distance_to(scene.camera.eye), box.distance_to(center));
+      if (reach(box) < away * 0x1p-20)
         small.say([&] {
-          return fmt::format("{} is too small beside the scene: {:.2g} of it, where its edges blur",
-                             name_of(scene, name, {kind, i}), reach(box) / reach(bounds));
+          return fmt::format(
+              "{} is too small for where it is: {:.2g} of the way there, where its "
+              "edges blur",
+              name_of(scene, name, {kind, i}), reach(box) / away);
         });
     }
     ++kind;

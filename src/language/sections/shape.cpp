@@ -38,7 +38,8 @@ std::uint32_t material_named(const std::string& name, const Item& item) {
     return index;
   }
   std::vector<std::string_view> known;
-  for (const auto& [index, each] : input.scene.material_names) known.push_back(each);
+  if (!input.problems.enough())
+    for (const auto& [index, each] : input.scene.material_names) known.push_back(each);
   if (const toml::Node* const node = item.node.find("material"))
     input.problems.unknown(node->begin, fmt::format("unknown material '{}'", shown(name)), name,
                            known, "materials");

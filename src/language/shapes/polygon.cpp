@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "language/shapes.hpp"
 
@@ -27,8 +28,9 @@ constexpr Field kFields[] = {
                                        .most = kMostCorners}),
 };
 
-/// How far the points are from their plane, over how far they reach; 1 where they are on a line.
-double out_of_plane(const Points& points) {
+/// How far the points are from their plane, over how far they reach; none where they have no plane:
+/// all on a line, or their edges cross so that one half turns back what the other turns.
+std::optional<double> out_of_plane(const Points& points) {
   Vec3 normal, middle;
   double reach = 0;
   const auto count = static_cast<double>(points.size());
@@ -44,7 +46,7 @@ double out_of_plane(const Points& points) {
         {reach, std::fabs(a.x - middle.x), std::fabs(a.y - middle.y), std::fabs(a.z - middle.z)});
   }
   const double length = std::sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
-  if (!(length > 0)) return 1;
+  if (!(length > 0)) return std::nullopt;
   double farthest = 0;
   for (const Vec3& p : points)
     farthest =
@@ -55,13 +57,16 @@ double out_of_plane(const Points& points) {
 
 void put(Polygon& polygon, Item& item) {
   constexpr double kFlat = 1e-5;  // coordinates of five digits are not in a plane more exactly
-  const double out = out_of_plane(polygon.points);
-  if (out == 1) return item.complain("points", "points of polygon are all on one line");
-  if (!(out <= kFlat))
+  const std::optional<double> out = out_of_plane(polygon.points);
+  if (!out)
+    return item.complain("points",
+                         "points of polygon are all on one line, or its edges cross: corners are "
+                         "named in turn, round the polygon");
+  if (!(*out <= kFlat))
     return item.complain(
         "points", fmt::format("points of polygon are in no plane: one is out of it by {:.2g} "
                               "of the polygon's reach",
-                              out));
+                              *out));
   for (const auto& [a, b, c] : triangulate(polygon.points))
     add_shape(item, Triangle{polygon.points[a], polygon.points[b], polygon.points[c]});
 }

@@ -161,6 +161,7 @@ class Utf8Names {
 /// Everything stays in memory, so no name in an archive can lead anywhere; one that tries is
 /// refused all the same.
 Result<std::vector<SubmittedPicture>> from_archive(const std::string& path) {
+  if (Result<void> loaded = kLibarchive.load(); !loaded) return tl::make_unexpected(loaded.error());
   const Utf8Names utf8_names;
   const std::unique_ptr<archive, int (*)(archive*)> from(archive_read_new(), archive_read_free);
   if (from == nullptr) throw std::bad_alloc();

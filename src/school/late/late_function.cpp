@@ -26,7 +26,8 @@ void* LateLibrary::function(const char* name) const {
   void* const library = open_library(file_);
   void* const found = library == nullptr ? nullptr : ::dlsym(library, name);
   if (found != nullptr) return found;
-  fmt::print(stderr, "error: the library {} has no {}\n", file_, name);
+  fmt::print(stderr, "error: the library {} {} {}\n", file_,
+             library == nullptr ? "is missing, and with it" : "has no", name);
   std::abort();
 }
 

@@ -18,7 +18,6 @@ void mistaken_tile(const FrozenScene<float>& scene, const TraceSettings& setting
                         steps_for(settings));
 }
 
-extern const Kernel<float> kMistakenKernel;
 const Kernel<float> kMistakenKernel = {mistaken_tile, static_cast<int>(WideLanes::kWidth)};
 
 }  // namespace zraka::ZRAKA_ISA
