@@ -44,9 +44,9 @@ expect 2 "'mmx' is not avx512, avx2 or portable" "$zraka" render "$scene" -o "$f
 expect 1 "which is no instruction set" env ZRAKA_ISA=mmx "$zraka" render "$scene" -o "$folder/a.png"
 expect 2 "'x.jpg' is not the name of a PNG" "$zraka" render "$scene" -o x.jpg
 [ -e "$folder/a.png" ] && fail "a picture of a render that failed"
-cp "$scene" "$folder/own.txt"
-expect 1 "would be written over an input of this command" "$zraka" render "$folder/own.txt" -o "$folder/own.txt"
-cmp -s "$scene" "$folder/own.txt" || fail "a scene was overwritten"
+cp "$scene" "$folder/own"
+expect 1 "would be written over an input of this command" "$zraka" render "$folder/own" -o "$folder/own"
+cmp -s "$scene" "$folder/own" || fail "a scene was overwritten"
 
 # Bytes of a picture are nothing for a terminal; script gives the program one.
 if command -v script >/dev/null; then
