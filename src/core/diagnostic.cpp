@@ -56,6 +56,14 @@ Phrase reason_of(int code) {
       return phrase(Word::path_not_allowed);
     case ENOSPC:
       return phrase(Word::path_no_space);
+    case ENOTDIR:
+      return phrase(Word::path_no_folder_there);
+    case EISDIR:
+      return phrase(Word::path_folder_there_instead);
+    case EROFS:
+      return phrase(Word::path_only_read);
+    case ELOOP:
+      return phrase(Word::path_link_loop);
     default:
       return {std::strerror(code), std::strerror(code)};
   }

@@ -229,13 +229,11 @@ Result<void> check_outputs(const std::vector<std::string>& inputs,
     const std::string file = file_behind(output);
     if (file.empty()) continue;
     if (const auto read = names.find(file); read != names.end())
-      return failure(
-          output, "would be written over an input of this command: it needs another name",
-          read->second == output ? ""
-          : read->second == "-"  ? "it is what standard input reads"
-                                 : fmt::format("it is the file '{}'", shown(read->second)));
-    if (!written.insert(file).second)
-      return failure(output, "would be written twice: each output needs a name of its own");
+      return failure(output, phrase(Word::path_over_input),
+                     read->second == output ? Phrase()
+                     : read->second == "-"  ? phrase(Word::path_is_standard_input)
+                                            : phrase(Word::path_is_file, shown(read->second)));
+    if (!written.insert(file).second) return failure(output, phrase(Word::path_written_twice));
   }
   return {};
 }
