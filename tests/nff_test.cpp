@@ -2,6 +2,7 @@
 // NFF: what it means, and the exact answer to each way of getting it wrong.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -98,7 +99,7 @@ class LargeText {
  public:
   /// `text` and, behind it, spheres.
   explicit LargeText(const std::string& text, std::size_t bytes = std::size_t{17} << 20)
-      : path(testing::TempDir() + "zraka-large.nff") {
+      : path(fmt::format("{}zraka-large-{}.nff", testing::TempDir(), ::getpid())) {
     std::string all = text;
     for (int i = 0; all.size() < bytes; ++i) {
       if (i % 1000 == 0) all += fmt::format("f {} 0.5 0 0.8 0.3 20 0.4 1.5\n", i % 7000 / 1e4);
