@@ -184,7 +184,7 @@ TEST(Frame, StaysOnTheMedianOfShapesThatAreSeenFromAmongThem) {
     std::vector<double> x;
     const auto add = [&](const auto& objects) {
       for (const auto& object : objects) {
-        const Box box =
+        const Bounds box =
             ShapeTraits<std::remove_cvref_t<decltype(object.shape)>>::bounds(object.shape);
         x.push_back(box.lower.x / 2 + box.upper.x / 2);
       }

@@ -117,7 +117,7 @@ TYPED_TEST(TruthOf, BoundsContainAllHits) {
       double met[3];
       for (int k = 0; k < 3; ++k) met[k] = rays[i].origin[k] + found[i].t * rays[i].direction[k];
       expect_within(met, crowd.boxes[id].lower, crowd.boxes[id].upper, 0, found[i].id);
-      const Box box =
+      const Bounds box =
           ShapeTraits<std::decay_t<decltype(crowd.shapes[id])>>::bounds(crowd.shapes[id]);
       const Point in_world = crowd.world(met);
       const double point[] = {static_cast<double>(in_world.x), static_cast<double>(in_world.y),

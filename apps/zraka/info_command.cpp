@@ -22,7 +22,7 @@ struct Arguments {
 
 struct Facts {
   std::size_t mirrors = 0, glasses = 0;
-  Box bounds;
+  Bounds bounds;
 };
 
 Facts facts_of(const Scene& scene) {

@@ -2,6 +2,7 @@
 // What a picture is of: plain values, as a reader or a program writes them down.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <map>
@@ -32,6 +33,10 @@ template <class Shape>
 struct Object {
   Shape shape;
   std::uint32_t material = 0;
+  /// One more than the index in Scene::transforms of the map from the shape's space to the world;
+  /// 0: none. Bodies are described in that space; primitives are in the world all the same, but
+  /// textures and uv move with it.
+  std::uint32_t transform = 0;
 };
 
 /// A shape of a scene: its kind, as its index in ZRAKA_SHAPES, and its index in Scene's list of
@@ -41,6 +46,9 @@ struct ShapeId {
   std::uint32_t index = 0;
   friend auto operator<=>(const ShapeId&, const ShapeId&) = default;
 };
+
+/// u and v of three corners.
+using CornerUvs = std::array<std::array<float, 2>, 3>;
 
 struct PointLight {
   Vec3 position;
@@ -75,24 +83,37 @@ struct RenderDefaults {
   friend bool operator==(const RenderDefaults&, const RenderDefaults&) = default;
 };
 
-struct Scene {
+/// Shapes by kind, and what some of them have besides.
+struct ShapeLists {
+#define ZRAKA_STORE(Type, plural) std::vector<Object<Type>> plural;
+  ZRAKA_SHAPES(ZRAKA_STORE)
+#undef ZRAKA_STORE
+  /// Texture coordinates of the corners of triangles, of both kinds: empty, or as long as the list.
+  std::vector<CornerUvs> triangle_uvs, smooth_triangle_uvs;
+  std::map<ShapeId, std::string> names;  ///< of those shapes that the file gives one, UTF-8
+
+  /// Number of shapes of all kinds; an instance is one.
+  std::uint64_t shape_count() const;
+};
+
+/// Shapes that are drawn where instances of them stand, and nowhere else.
+struct Group : ShapeLists {
+  std::string name;  ///< UTF-8
+};
+
+struct Scene : ShapeLists {
   Camera camera;
   Resolution resolution;
   Color background;
   Color ambient_light{0.5, 0.5, 0.5};  ///< Ia
   std::vector<PointLight> lights;
   std::vector<Material> materials;
-#define ZRAKA_STORE(Type, plural) std::vector<Object<Type>> plural;
-  ZRAKA_SHAPES(ZRAKA_STORE)
-#undef ZRAKA_STORE
-  std::map<ShapeId, std::string> names;  ///< of those shapes that the file gives one, UTF-8
+  std::vector<Transform> transforms;  ///< that shapes name
+  std::vector<Group> groups;
   std::map<std::uint32_t, std::string> material_names;  ///< of those materials that have one
   RenderDefaults defaults;
   std::string
       format;  ///< the reader's name, for people; no part of what equal scenes have in common
-
-  /// Number of shapes of all kinds.
-  std::uint64_t shape_count() const;
 };
 
 }  // namespace zraka

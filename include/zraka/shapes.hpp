@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The list of shapes: one struct of parameters each, in world space. Storage, dispatch and tests
-// are derived from ZRAKA_SHAPES; what a shape can do stands in src/shapes/NAME.hpp.
+// The list of shapes. Primitives are in world space, a struct of parameters each; what they can do
+// stands in src/shapes/NAME.hpp. Bodies are in bodies.hpp. Storage, dispatch and tests are derived
+// from ZRAKA_SHAPES.
 #pragma once
 
+#include <zraka/bodies.hpp>
 #include <zraka/values.hpp>
 
 namespace zraka {
@@ -34,9 +36,14 @@ struct Cone {
 
 }  // namespace zraka
 
-/// X(type, plural): every shape, in the order of primitive ids.
-#define ZRAKA_SHAPES(X)               \
+/// X(Type, plural): every primitive, in the order of their ids.
+#define ZRAKA_PRIMITIVES(X)           \
   X(Sphere, spheres)                  \
   X(Triangle, triangles)              \
   X(SmoothTriangle, smooth_triangles) \
   X(Cone, cones)
+
+/// X(Type, plural): every shape, in the order of their ids.
+#define ZRAKA_SHAPES(X) \
+  ZRAKA_PRIMITIVES(X)   \
+  ZRAKA_BODIES(X)

@@ -14,9 +14,9 @@ ZRAKA_INLINE void nearest_of(const FrozenShapes<typename L::Real, Shape>& shapes
                              RayLanes<L>& ray) {
   using F = typename L::F;
   for (std::int32_t i = 0; i < shapes.count; ++i) {
-    F shape[ShapeTraits<Shape>::kHitReals];
+    NumbersOf<Shape, L> shape;
     broadcast_shape<L>(shapes, i, shape);
-    const F t = ShapeLanes<Shape, L>::intersect(shape, ray.origin, ray.direction);
+    const F t = intersect_shape<false, Shape, L>(shape, ray.origin, ray.direction, ray.t);
     const auto nearer = both(t > F(0), t < ray.t);
     ray.t = select(nearer, t, ray.t);
     ray.slot = select(nearer, typename L::I(shapes.first_slot + i), ray.slot);
@@ -44,9 +44,9 @@ ZRAKA_INLINE typename L::M blocked_by(const FrozenShapes<typename L::Real, Shape
                                       typename L::M wanted) {
   using F = typename L::F;
   for (std::int32_t i = 0; i < shapes.count; ++i) {
-    F shape[ShapeTraits<Shape>::kHitReals];
+    NumbersOf<Shape, L> shape;
     broadcast_shape<L>(shapes, i, shape);
-    const F t = ShapeLanes<Shape, L>::intersect(shape, ray.origin, ray.direction);
+    const F t = intersect_shape<true, Shape, L>(shape, ray.origin, ray.direction, ray.t);
     blocked = either(blocked, both(t > F(0), t < ray.t));
     if (!any(but_not(wanted, blocked))) break;
   }

@@ -27,12 +27,12 @@ ZRAKA_INLINE void each_ray_in_leaf(const FrozenScene<R>& scene, const Bundle<L>&
     for (std::size_t k = 0; k < count; k += L::kWidth) {
       const std::int32_t first = entry.child + static_cast<std::int32_t>(k);
       const auto exists = L::first(count - k);
-      F shape[ShapeTraits<Shape>::kHitReals];
+      NumbersOf<Shape, L> shape;
       load_shapes<L>(shapes, first, shape);
       for (std::uint32_t left = rays; left != 0; left &= left - 1) {
         const auto i = static_cast<std::size_t>(__builtin_ctz(left));
-        const F distance =
-            ShapeLanes<Shape, L>::intersect(shape, bundle.origin(i), bundle.direction(i));
+        const F distance = intersect_shape<kAny, Shape, L>(
+            shape, bundle.origin(i), bundle.direction(i), select(exists, F(t[i]), F(-1)));
         function(i, shapes.first_slot + first, select(exists, distance, F(-1)));
       }
     }
@@ -87,7 +87,7 @@ struct Nearest {
   bool intersect(const FrozenScene<R>& scene, const FrozenShapes<R, Shape>& shapes,
                  const Bundle<L>& bundle, PairQueue<L>& queue) {
     using F = typename L::F;
-    const auto pairs_hit = intersect_pairs<L>(shapes, bundle, queue);
+    const auto pairs_hit = intersect_pairs<false, L>(shapes, bundle, queue, t);
     const auto nearer =
         both(pairs_hit.distance > F(0), pairs_hit.distance <= L::look_up(t, pairs_hit.ray));
     std::uint32_t lanes = bits(both(nearer, pairs_hit.active));
@@ -133,10 +133,10 @@ ZRAKA_INLINE bool nearest_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& 
   }
   if (one_by_one == 0) return changed;
   bool more = false;
-  each_ray_in_leaf<L>(scene, bundle, entry, one_by_one,
-                      [&](std::size_t i, std::int32_t first, typename L::F distance) {
-                        if (nearest.intersect(scene, i, first, distance)) more = true;
-                      });
+  each_ray_in_leaf<false, L>(scene, bundle, entry, one_by_one, nearest.t,
+                             [&](std::size_t i, std::int32_t first, typename L::F distance) {
+                               if (nearest.intersect(scene, i, first, distance)) more = true;
+                             });
   if (more) nearest.give(rays);
   return changed || more;
 }
@@ -172,7 +172,7 @@ std::uint32_t blocked_in_queue(const FrozenShapes<R, Shape>& shapes, std::int32_
                                const Bundle<L>& bundle, PairQueue<L>& queue, const R* t,
                                LastBlocker& last) {
   using F = typename L::F;
-  const auto pairs_hit = intersect_pairs<L>(shapes, bundle, queue);
+  const auto pairs_hit = intersect_pairs<true, L>(shapes, bundle, queue, t);
   const auto nearer =
       both(pairs_hit.distance > F(0), pairs_hit.distance < L::look_up(t, pairs_hit.ray));
   std::uint32_t lanes = bits(both(nearer, pairs_hit.active)), blocked = 0;
@@ -221,20 +221,21 @@ ZRAKA_INLINE std::uint32_t blocked_in_leaf(const FrozenScene<R>& scene, const Bu
     typename L::M blocked = L::first(0);
     with_kind(scene, leaf_kind(entry.leaf), [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
       for (std::int32_t i = 0; i < leaf_count(entry.leaf); ++i) {
-        F shape[ShapeTraits<Shape>::kHitReals];
+        NumbersOf<Shape, L> shape;
         broadcast_shape<L>(shapes, entry.child + i, shape);
-        const F distance = ShapeLanes<Shape, L>::intersect(shape, ray.origin, ray.direction);
+        const F distance =
+            intersect_shape<true, Shape, L>(shape, ray.origin, ray.direction, ray.t);
         blocked = either(blocked, both(distance > F(0), distance < ray.t));
       }
     });
     blocked_rays |= mine & group_bits<L>(blocked, r);
   }
   if (one_by_one != 0)
-    each_ray_in_leaf<L>(scene, bundle, entry, one_by_one,
-                        [&](std::size_t i, std::int32_t, F distance) {
-                          if (any(both(distance > F(0), distance < F(t[i]))))
-                            blocked_rays |= 1u << i;
-                        });
+    each_ray_in_leaf<true, L>(scene, bundle, entry, one_by_one, t,
+                              [&](std::size_t i, std::int32_t, F distance) {
+                                if (any(both(distance > F(0), distance < F(t[i]))))
+                                  blocked_rays |= 1u << i;
+                              });
   if (blocked_rays != 0) last = {entry.child, entry.leaf};
   return blocked_rays;
 }

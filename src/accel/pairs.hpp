@@ -11,17 +11,21 @@ namespace zraka::ZRAKA_ISA {
 template <class L, class Shape>
 ZRAKA_INLINE void gather_shapes(const FrozenShapes<typename L::Real, Shape>& shapes,
                                 typename L::I which,
-                                typename L::F (&out)[ShapeTraits<Shape>::kHitReals]) {
-  constexpr int kHitReals = ShapeTraits<Shape>::kHitReals;
-  if (shapes.rows == nullptr) {
-    for (int k = 0; k < kHitReals; ++k) out[k] = L::gather(shapes.column[k], which);
-    return;
-  }
-  const typename L::I row = which * typename L::I(shapes.kRowReals);
-  for (int k = 0; k < kHitReals; k += 4) {
-    typename L::F four[4];
-    L::gather_four(shapes.rows + k, row, four);
-    for (int i = 0; i < 4 && k + i < kHitReals; ++i) out[k + i] = four[i];
+                                NumbersOf<Shape, L>& out) {
+  if constexpr (std::is_same_v<Shape, Body>) {
+    out = {&shapes, which};
+  } else {
+    constexpr int kHitReals = ShapeTraits<Shape>::kHitReals;
+    if (shapes.rows == nullptr) {
+      for (int k = 0; k < kHitReals; ++k) out[k] = L::gather(shapes.column[k], which);
+      return;
+    }
+    const typename L::I row = which * typename L::I(shapes.kRowReals);
+    for (int k = 0; k < kHitReals; k += 4) {
+      typename L::F four[4];
+      L::gather_four(shapes.rows + k, row, four);
+      for (int i = 0; i < 4 && k + i < kHitReals; ++i) out[k + i] = four[i];
+    }
   }
 }
 
@@ -34,18 +38,23 @@ struct MetPairs {
   const std::int32_t* shape;  ///< of each lane; until the next pairs are added
 };
 
-/// Takes the first pairs of a queue.
-template <class L, class Shape>
+/// Takes the first pairs of a queue. Rays look no farther than their t; for any hit with kAny.
+template <bool kAny, class L, class Shape>
 ZRAKA_INLINE MetPairs<L> intersect_pairs(const FrozenShapes<typename L::Real, Shape>& shapes,
-                                         const Bundle<L>& bundle, PairQueue<L>& queue) {
+                                         const Bundle<L>& bundle, PairQueue<L>& queue,
+                                         const typename L::Real* t) {
   using I = typename L::I;
   const auto taken = queue.take();
   const typename L::M active = L::first(taken.count);
   const I ray = select(active, L::load(taken.ray), I(0));
-  typename L::F shape[ShapeTraits<Shape>::kHitReals];
+  NumbersOf<Shape, L> shape;
   gather_shapes<L>(shapes, select(active, L::load(taken.shape), I(0)), shape);
-  return {ShapeLanes<Shape, L>::intersect(shape, bundle.origins(ray), bundle.directions(ray)), ray,
-          active, taken.shape};
+  using F = typename L::F;
+  F limit(0);
+  if constexpr (std::is_same_v<Shape, Body>) limit = select(active, L::look_up(t, ray), F(-1));
+  return {intersect_shape<kAny, Shape, L>(shape, bundle.origins(ray), bundle.directions(ray),
+                                          limit),
+          ray, active, taken.shape};
 }
 
 /// Whether they take less time than either rays in lanes, so many in so many registers, or shapes:

@@ -2,6 +2,8 @@
 // Rays in lanes, as every acceleration structure takes them.
 #pragma once
 
+#include <type_traits>
+
 #include "math/lanes.hpp"
 #include "scene/frozen.hpp"
 #include "shapes/shapes.hpp"
@@ -94,20 +96,62 @@ ZRAKA_INLINE std::int32_t id_of(const FrozenScene<R>& scene, std::int32_t slot) 
   return slot;
 }
 
+/// The numbers that intersect() needs, of one shape for all lanes or of a shape for each; of bodies
+/// which ones they are.
+template <class L>
+struct BodiesInLanes {
+  const FrozenShapes<typename L::Real, Body>* bodies;
+  typename L::I which;
+};
+template <class Shape, class L>
+struct NumbersFor {
+  using Type = typename L::F[ShapeTraits<Shape>::kHitReals];
+};
+template <class L>
+struct NumbersFor<Body, L> {
+  using Type = BodiesInLanes<L>;
+};
+template <class Shape, class L>
+using NumbersOf = typename NumbersFor<Shape, L>::Type;
+
+/// Bodies are intersected out of line (accel/bodies.cpp): a body for all lanes or a body for each.
+template <class L>
+typename L::F intersect_bodies(const BodiesInLanes<L>& bodies, const V3<typename L::F>& origin,
+                               const V3<typename L::F>& direction, typename L::F limit, bool any);
+
 /// One shape for all lanes.
 template <class L, class Shape>
 ZRAKA_INLINE void broadcast_shape(const FrozenShapes<typename L::Real, Shape>& shapes,
-                                  std::int32_t i,
-                                  typename L::F (&out)[ShapeTraits<Shape>::kHitReals]) {
-  for (int k = 0; k < ShapeTraits<Shape>::kHitReals; ++k)
-    out[k] = typename L::F(shapes.column[k][i]);
+                                  std::int32_t i, NumbersOf<Shape, L>& out) {
+  if constexpr (std::is_same_v<Shape, Body>)
+    out = {&shapes, typename L::I(i)};
+  else
+    for (int k = 0; k < ShapeTraits<Shape>::kHitReals; ++k)
+      out[k] = typename L::F(shapes.column[k][i]);
 }
 
 /// The shapes [i, i + kWidth), one a lane.
 template <class L, class Shape>
 ZRAKA_INLINE void load_shapes(const FrozenShapes<typename L::Real, Shape>& shapes, std::int32_t i,
-                              typename L::F (&out)[ShapeTraits<Shape>::kHitReals]) {
-  for (int k = 0; k < ShapeTraits<Shape>::kHitReals; ++k) out[k] = L::load(shapes.column[k] + i);
+                              NumbersOf<Shape, L>& out) {
+  if constexpr (std::is_same_v<Shape, Body>)
+    out = {&shapes, L::iota(i)};
+  else
+    for (int k = 0; k < ShapeTraits<Shape>::kHitReals; ++k) out[k] = L::load(shapes.column[k] + i);
+}
+
+/// Distances to the nearest intersections in front of the origins, of rays that look no farther
+/// than their limits; 0 or less, or NaN, where there is none, and anything where a limit is not
+/// above 0. With kAny, to any intersection that is nearer than the limit.
+template <bool kAny, class Shape, class L>
+ZRAKA_INLINE typename L::F intersect_shape(const NumbersOf<Shape, L>& shape,
+                                           const V3<typename L::F>& origin,
+                                           const V3<typename L::F>& direction,
+                                           typename L::F limit) {
+  if constexpr (std::is_same_v<Shape, Body>)
+    return intersect_bodies<L>(shape, origin, direction, limit, kAny);
+  else
+    return ShapeLanes<Shape, L>::intersect(shape, origin, direction);
 }
 
 /// Tests one shape against the rays in lanes; a nearer hit, or an equal one of a lower id, replaces
@@ -117,9 +161,9 @@ ZRAKA_INLINE void intersect_one(const FrozenScene<typename L::Real>& scene,
                                 const FrozenShapes<typename L::Real, Shape>& shapes, std::int32_t i,
                                 RayLanes<L>& ray) {
   using F = typename L::F;
-  F shape[ShapeTraits<Shape>::kHitReals];
+  NumbersOf<Shape, L> shape;
   broadcast_shape<L>(shapes, i, shape);
-  const F t = ShapeLanes<Shape, L>::intersect(shape, ray.origin, ray.direction);
+  const F t = intersect_shape<false, Shape, L>(shape, ray.origin, ray.direction, ray.t);
   auto nearer = both(t > F(0), t <= ray.t);
   if (!any(nearer)) return;
   const auto equal = both(nearer, t >= ray.t);

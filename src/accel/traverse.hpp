@@ -107,10 +107,44 @@ std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& las
   return active & ~left;
 }
 
+/// The nearest hit of each active ray among the bodies that have no bounds.
+template <class L>
+void nearest_outside_hierarchy(const FrozenScene<typename L::Real>& scene, RayGroup<L>& rays) {
+  for (RayLanes<L>& ray : rays.ray)
+    for (std::int32_t i = scene.bodies.bounded; i < scene.bodies.count; ++i)
+      intersect_one<L>(scene, scene.bodies, i, ray);
+}
+
+/// Which of the active rays hit one of the bodies that have no bounds nearer than their t: these
+/// are not active any more.
+template <class L>
+std::uint32_t blocked_outside_hierarchy(const FrozenScene<typename L::Real>& scene,
+                                        RayGroup<L>& rays) {
+  using F = typename L::F;
+  std::uint32_t blocked = 0;
+  for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+    const RayLanes<L>& ray = rays.ray[r];
+    typename L::M by_any = L::first(0);
+    for (std::int32_t i = scene.bodies.bounded; i < scene.bodies.count; ++i) {
+      BodiesInLanes<L> body;
+      broadcast_shape<L>(scene.bodies, i, body);
+      const F t = intersect_shape<true, Body, L>(body, ray.origin, ray.direction, ray.t);
+      by_any = either(by_any, both(t > F(0), t < ray.t));
+    }
+    by_any = both(by_any, rays.active[r]);
+    blocked |= group_bits<L>(by_any, r);
+    rays.active[r] = but_not(rays.active[r], by_any);
+  }
+  return blocked;
+}
+
 /// The nearest hit of each active ray nearer than its t, by whichever structure the scene has.
 template <class L>
 ZRAKA_INLINE void find_nearest(const FrozenScene<typename L::Real>& scene, RayGroup<L>& rays) {
-  if (scene.hierarchy.nodes != nullptr) return nearest_in_hierarchy<L>(scene, rays);
+  if (scene.hierarchy.nodes != nullptr) {
+    if (scene.bodies.bounded < scene.bodies.count) nearest_outside_hierarchy<L>(scene, rays);
+    return nearest_in_hierarchy<L>(scene, rays);
+  }
   for (std::size_t r = 0; r < kRegisters<L>; ++r) {
     if (!any(rays.active[r])) continue;
     RayLanes<L> ray = rays.ray[r];  // a copy that nothing else can know of stays in registers
@@ -124,7 +158,12 @@ ZRAKA_INLINE void find_nearest(const FrozenScene<typename L::Real>& scene, RayGr
 template <class L>
 ZRAKA_INLINE std::uint32_t find_blocked(const FrozenScene<typename L::Real>& scene,
                                         LastBlocker& last, RayGroup<L>& rays) {
-  if (scene.hierarchy.nodes != nullptr) return blocked_in_hierarchy<L>(scene, last, rays);
+  if (scene.hierarchy.nodes != nullptr) {
+    std::uint32_t outside = 0;
+    if (scene.bodies.bounded < scene.bodies.count)
+      outside = blocked_outside_hierarchy<L>(scene, rays);
+    return outside | blocked_in_hierarchy<L>(scene, last, rays);
+  }
   std::uint32_t blocked = 0;
   for (std::size_t r = 0; r < kRegisters<L>; ++r) {
     if (!any(rays.active[r])) continue;

@@ -9,7 +9,7 @@
 
 #include "core/base64.hpp"
 #include "core/json.hpp"
-#include "math/box.hpp"
+#include "math/bounds.hpp"
 
 namespace zraka {
 namespace {
@@ -50,7 +50,7 @@ std::string rays_as_obj(const std::vector<Segment>& segments, const std::string&
 
 std::string rays_as_gltf(const std::vector<Segment>& segments) {
   // Floats are spent on the rays, not on their distance from the world's origin.
-  Box box;
+  Bounds box;
   for (const Segment& s : segments)
     for (const Vec3& p : {s.from, s.to}) box.include({p, p});
   const Vec3 center =

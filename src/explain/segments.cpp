@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "math/box.hpp"
+#include "math/bounds.hpp"
 
 namespace zraka {
 namespace {
@@ -21,7 +21,7 @@ Vec3 along(const Vec3& from, const Float3& direction, double t) {
 /// Diagonal of the box around all origins and hits; of a tree of one ray, twice the way to the
 /// window.
 double span_of(const Scene& scene, const Explanation& explanation) {
-  Box box;
+  Bounds box;
   for (const RayTree& tree : explanation.trees)
     for (const ExplainedRay& ray : tree.rays) {
       box.include({ray.origin, ray.origin});

@@ -24,7 +24,7 @@ Json outline(const Sphere& s) {
 }
 template <class Shape>
 Json outline(const Shape& shape) {
-  const Box box = ShapeTraits<Shape>::bounds(shape);
+  const Bounds box = ShapeTraits<Shape>::bounds(shape);
   return {{"lower", point_json(box.lower)}, {"upper", point_json(box.upper)}};
 }
 

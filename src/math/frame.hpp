@@ -8,7 +8,7 @@
 #include <limits>
 #include <zraka/values.hpp>
 
-#include "math/box.hpp"
+#include "math/bounds.hpp"
 
 namespace zraka {
 
@@ -36,7 +36,7 @@ struct Frame {
   double world_length(double framed) const { return framed / scale; }
 
   /// The frame around a point in which the farthest side of `bounds` is at a distance in (½, 1].
-  static Frame around(const Vec3& center, const Box& bounds) {
+  static Frame around(const Vec3& center, const Bounds& bounds) {
     if (bounds.empty()) return {};
     Frame frame{center};
     const double reach =

@@ -38,14 +38,14 @@ bool finite_material(const Material& m) {
 }
 
 /// How far a box reaches from the origin.
-double farthest(const Box& box) {
+double farthest(const Bounds& box) {
   return std::max({std::fabs(box.lower.x), std::fabs(box.lower.y), std::fabs(box.lower.z),
                    std::fabs(box.upper.x), std::fabs(box.upper.y), std::fabs(box.upper.z)});
 }
 
 /// How far from the origin shapes reach, and how far the smallest reaches from its middle.
 struct Extent {
-  double most = 0, least = Box::kInfinity;
+  double most = 0, least = Bounds::kInfinity;
 };
 
 template <class Shape>
@@ -58,7 +58,7 @@ void check_objects(const Scene& scene, const std::vector<Object<Shape>>& objects
   in_parallel(objects.size(), [&](std::size_t begin, std::size_t end) {
     Extent part;
     for (std::size_t i = begin; i < end; ++i) {
-      const Box box = Traits::bounds(objects[i].shape);
+      const Bounds box = Traits::bounds(objects[i].shape);
       const double reach = box.reach(), most = farthest(box);
       if (Traits::check(objects[i].shape) != nullptr || !(most <= kFarthest) ||
           objects[i].material >= scene.materials.size())
@@ -115,7 +115,7 @@ void check_floats(const Scene& scene, const Extent& extent, const auto& complain
   const auto look = [&]<class Shape>(const std::vector<Object<Shape>>& objects) {
     using Traits = ShapeTraits<Shape>;
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      const Box box = Traits::bounds(objects[i].shape);
+      const Bounds box = Traits::bounds(objects[i].shape);
       const double reach = std::max(reach_of(box.lower), reach_of(box.upper));
       constexpr bool kRound = std::is_same_v<Shape, Sphere>;
       const bool too_far = reach > (kRound ? kFar : kFarCorner) ||

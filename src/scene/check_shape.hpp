@@ -16,7 +16,7 @@ inline constexpr double kFarthest = 1e100;
 
 template <class Shape>
 bool within_reach(const Shape& shape) {
-  const Box box = ShapeTraits<Shape>::bounds(shape);
+  const Bounds box = ShapeTraits<Shape>::bounds(shape);
   for (const double side :
        {box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z})
     if (!(std::fabs(side) <= kFarthest)) return false;

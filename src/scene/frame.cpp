@@ -44,7 +44,7 @@ class View {
   }
 
   /// False only if no ray meets the box.
-  bool may_see(const Box& box) const {
+  bool may_see(const Bounds& box) const {
     if (!known_) return true;
     const Vec3 middle{box.lower.x / 2 + box.upper.x / 2, box.lower.y / 2 + box.upper.y / 2,
                       box.lower.z / 2 + box.upper.z / 2};
@@ -76,9 +76,9 @@ class View {
 
 /// What there is, and what of it the camera sees.
 struct Survey {
-  Box bounds;
-  double nearest = Box::kInfinity;   ///< distance of the nearest shape seen
-  double smallest = Box::kInfinity;  ///< least size or, if that is more, distance of a shape seen
+  Bounds bounds;
+  double nearest = Bounds::kInfinity;   ///< distance of the nearest shape seen
+  double smallest = Bounds::kInfinity;  ///< least size or, if that is more, distance of a shape seen
 };
 
 /// Calls function(box) for some shapes, evenly over all.
@@ -125,7 +125,7 @@ Survey survey(const Scene& scene, const View& view) {
   };
   const auto include = [&]<class Shape>(const std::vector<Object<Shape>>& objects) {
     const auto more = [&](Survey& sum, const Shape& shape) {
-      const Box box = ShapeTraits<Shape>::bounds(shape);
+      const Bounds box = ShapeTraits<Shape>::bounds(shape);
       sum.bounds.include(box);
       // Mostly one coordinate is enough to see that it is farther off.
       const double gap =
@@ -155,7 +155,7 @@ double median(std::vector<double>& values) {
 
 Vec3 median_of(const Scene& scene) {
   std::vector<double> x, y, z;
-  each_sample(scene, [&](const Box& box) {
+  each_sample(scene, [&](const Bounds& box) {
     x.push_back(box.lower.x / 2 + box.upper.x / 2);
     y.push_back(box.lower.y / 2 + box.upper.y / 2);
     z.push_back(box.lower.z / 2 + box.upper.z / 2);
@@ -170,7 +170,7 @@ Frame frame_of(const Scene& scene) {
   const View view(scene.camera);
   const Survey all = survey(scene, view);
   const Vec3 middle = median_of(scene);
-  if (!(all.nearest < Box::kInfinity)) return Frame::around(middle, all.bounds);
+  if (!(all.nearest < Bounds::kInfinity)) return Frame::around(middle, all.bounds);
 
   const Vec3 seen = view.point_at(all.nearest);
   const bool good = length(between(seen, middle)) <= kMostWidths * view.width_at(all.nearest);
@@ -184,7 +184,7 @@ Frame frame_of(const Scene& scene) {
   }
   // Which side of a surface an eye on it is on would be rounding's choice: what lies before it is
   // seen.
-  if (all.smallest < Box::kInfinity && all.nearest <= 0x1p-40 * all.smallest)
+  if (all.smallest < Bounds::kInfinity && all.nearest <= 0x1p-40 * all.smallest)
     frame.eye_shift = 0x1p-18 * all.smallest;
   frame.width_seen = view.width_at(std::max(all.nearest, frame.eye_shift));
   return frame;
@@ -196,7 +196,7 @@ bool has_ground_sphere(const Scene& scene, const Frame& frame) {
       [](double a, double b) { return std::max(a, b); }));
   if (largest > kMostWidths * frame.length(frame.width_seen)) return true;
   std::vector<double> reaches;
-  each_sample(scene, [&](const Box& box) {
+  each_sample(scene, [&](const Bounds& box) {
     const Vec3 lower = frame.point(box.lower), upper = frame.point(box.upper);
     reaches.push_back(std::max({std::fabs(lower.x), std::fabs(lower.y), std::fabs(lower.z),
                                 std::fabs(upper.x), std::fabs(upper.y), std::fabs(upper.z)}));

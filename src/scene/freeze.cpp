@@ -127,7 +127,7 @@ Pieces<Shape> pieces_of(const std::vector<Object<Read>>& objects, const Frame& f
     std::mutex adding;
     in_parallel(objects.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const Box box = ShapeTraits<Shape>::bounds(objects[i].shape);
+        const Bounds box = ShapeTraits<Shape>::bounds(objects[i].shape);
         if (box.reach() <= std::max(kMostWidths * frame.width_seen, box.distance_to(frame.center)))
           continue;
         const std::lock_guard lock(adding);

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "math/vec.hpp"
+#include "scene/frozen_bodies.hpp"
 #include "scene/hierarchy.hpp"
 #include "shapes/shapes.hpp"
 
@@ -74,6 +75,14 @@ struct FrozenShapes {
   /// Slots number the primitives of all kinds in the order of these arrays.
   std::int32_t first_slot;
   std::int32_t first_id;  ///< the least id
+};
+
+template <class R>
+struct FrozenScene;
+
+template <class R>
+struct FrozenShapes<R, Body> : FrozenBodies {
+  const FrozenScene<R>* groups;  ///< that instances name: shapes and hierarchy, each in its own frame
 };
 
 template <class R>

@@ -33,7 +33,7 @@ class Warnings {
   std::size_t count_ = 0;
 };
 
-double reach(const Box& box) {
+double reach(const Bounds& box) {
   return std::max(
       {box.upper.x - box.lower.x, box.upper.y - box.lower.y, box.upper.z - box.lower.z});
 }
@@ -69,7 +69,7 @@ class View {
   }
 
   /// True for some boxes beyond an edge of the view, too.
-  bool may_see(const Box& box) const {
+  bool may_see(const Bounds& box) const {
     return std::none_of(std::begin(sides_), std::end(sides_), [&](const Vec3& n) {
       const Vec3 farthest{n.x > 0 ? box.upper.x : box.lower.x, n.y > 0 ? box.upper.y : box.lower.y,
                           n.z > 0 ? box.upper.z : box.lower.z};
@@ -139,7 +139,7 @@ void lint_places(const Scene& scene, Diagnostics& all) {
   Warnings small(all);
   const auto look = [&](const char* name, const auto& objects, const auto& bounds_of) {
     for (std::uint32_t i = 0; i < objects.size(); ++i) {
-      const Box box = bounds_of(objects[i].shape);
+      const Bounds box = bounds_of(objects[i].shape);
       seen = seen || view.may_see(box);
       // Floats have 24 bits for the way from the eye, and from where the engine's frame is.
       const double away = std::max(box.distance_to(scene.camera.eye), box.distance_to(center));

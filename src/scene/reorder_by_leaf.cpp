@@ -46,7 +46,7 @@ void refer_to(const FrozenScene<R>& scene, BuildRef* refs) {
         double numbers[Traits::kHitReals];
         for (int k = 0; k < Traits::kHitReals; ++k)
           numbers[k] = static_cast<double>(shapes.column[k][i]);
-        const Box box = Traits::frozen_bounds(numbers);
+        const Bounds box = Traits::frozen_bounds(numbers);
         const std::int32_t slot = shapes.first_slot + static_cast<std::int32_t>(i);
         refs[slot] = {{narrow<float>(box.lower.x - margin), narrow<float>(box.lower.y - margin),
                        narrow<float>(box.lower.z - margin)},

@@ -20,14 +20,14 @@ struct ShapeTraits<Cone> {
 
   /// Around both end discs; a disc of radius r and unit normal n reaches r·√(1 - n²) along each
   /// axis.
-  static Box bounds(const Cone& s) {
+  static Bounds bounds(const Cone& s) {
     const Vec3 axis{s.apex.x - s.base.x, s.apex.y - s.base.y, s.apex.z - s.base.z};
     const double length2 = axis.x * axis.x + axis.y * axis.y + axis.z * axis.z;
     const auto reach = [&](double n) {
       return length2 > 0 ? std::sqrt(std::fmax(0.0, 1 - n * n / length2)) : 1.0;
     };
     const Vec3 r{reach(axis.x), reach(axis.y), reach(axis.z)};
-    Box box;
+    Bounds box;
     const auto include = [&](const Vec3& c, double radius) {
       box.include({{c.x - radius * r.x, c.y - radius * r.y, c.z - radius * r.z},
                    {c.x + radius * r.x, c.y + radius * r.y, c.z + radius * r.z}});
@@ -50,7 +50,7 @@ struct ShapeTraits<Cone> {
     return std::fmax(bounds(s).distance_to(p), away);
   }
 
-  static Box frozen_bounds(const double* s) {
+  static Bounds frozen_bounds(const double* s) {
     const auto along = [&](double y) {
       return Vec3{s[0] + s[3] * y, s[1] + s[4] * y, s[2] + s[5] * y};
     };
@@ -86,7 +86,7 @@ struct ShapeTraits<Cylinder> : ShapeTraits<Cone> {
   /// Middle of the axis; unit axis; radius; half the axis' length.
   static constexpr int kReals = 8, kHitReals = 8;
 
-  static Box frozen_bounds(const double* s) {
+  static Bounds frozen_bounds(const double* s) {
     const double cone[] = {s[0], s[1], s[2], s[3], s[4], s[5], s[6], 0, s[7]};
     return ShapeTraits<Cone>::frozen_bounds(cone);
   }

@@ -2,7 +2,7 @@
 // What every shape's file provides (HACKING.md says how to add one).
 #pragma once
 
-#include "math/box.hpp"
+#include "math/bounds.hpp"
 #include "math/frame.hpp"
 #include "math/vec.hpp"
 #ifdef ZRAKA_ISA

@@ -12,13 +12,13 @@ struct ShapeTraits<SmoothTriangle> {
   static constexpr int kReals = 18, kHitReals = 9;  // corners, then their normals
 
   static Triangle flat(const SmoothTriangle& s) { return {s.a, s.b, s.c}; }
-  static Box bounds(const SmoothTriangle& s) { return ShapeTraits<Triangle>::bounds(flat(s)); }
+  static Bounds bounds(const SmoothTriangle& s) { return ShapeTraits<Triangle>::bounds(flat(s)); }
 
   static double distance_to(const SmoothTriangle& s, const Vec3& p) {
     return ShapeTraits<Triangle>::distance_to(flat(s), p);
   }
 
-  static Box frozen_bounds(const double* s) { return ShapeTraits<Triangle>::frozen_bounds(s); }
+  static Bounds frozen_bounds(const double* s) { return ShapeTraits<Triangle>::frozen_bounds(s); }
 
   static const char* check(const SmoothTriangle& s) {
     if (!finite(s.normal_a) || !finite(s.normal_b) || !finite(s.normal_c))

@@ -20,7 +20,7 @@ struct ShapeTraits<Sphere> {
   static constexpr const char* kName = "sphere";
   static constexpr int kReals = 4, kHitReals = 4;  // centre, radius
 
-  static Box bounds(const Sphere& s) {
+  static Bounds bounds(const Sphere& s) {
     return {{s.center.x - s.radius, s.center.y - s.radius, s.center.z - s.radius},
             {s.center.x + s.radius, s.center.y + s.radius, s.center.z + s.radius}};
   }
@@ -42,7 +42,7 @@ struct ShapeTraits<Sphere> {
     out[3] = frame.length(s.radius);
   }
 
-  static Box frozen_bounds(const double* s) { return bounds({{s[0], s[1], s[2]}, s[3]}); }
+  static Bounds frozen_bounds(const double* s) { return bounds({{s[0], s[1], s[2]}, s[3]}); }
 };
 
 template <>

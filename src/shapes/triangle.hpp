@@ -20,8 +20,8 @@ struct ShapeTraits<Triangle> {
   static constexpr const char* kName = "triangle";
   static constexpr int kReals = 9, kHitReals = 9;  // corners
 
-  static Box bounds(const Triangle& s) {
-    Box box;
+  static Bounds bounds(const Triangle& s) {
+    Bounds box;
     for (const Vec3& corner : {s.a, s.b, s.c}) box.include({corner, corner});
     return box;
   }
@@ -36,7 +36,7 @@ struct ShapeTraits<Triangle> {
     return std::fmax(bounds(s).distance_to(p), away);  // fmax: a line has no plane
   }
 
-  static Box frozen_bounds(const double* s) {
+  static Bounds frozen_bounds(const double* s) {
     return bounds({{s[0], s[1], s[2]}, {s[3], s[4], s[5]}, {s[6], s[7], s[8]}});
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Axis-aligned boxes in world space.
+// Boxes with sides along the axes.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +10,17 @@
 namespace zraka {
 
 /// Empty (lower above upper) until something is put in.
-struct Box {
+struct Bounds {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Vec3 lower{kInfinity, kInfinity, kInfinity};
   Vec3 upper{-kInfinity, -kInfinity, -kInfinity};
 
+  static Bounds everything() {
+    return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
+  }
+  bool bounded() const { return reach() < kInfinity; }
   bool empty() const { return !(lower.x <= upper.x); }
-  void include(const Box& other) {
+  void include(const Bounds& other) {
     lower = {std::min(lower.x, other.lower.x), std::min(lower.y, other.lower.y),
              std::min(lower.z, other.lower.z)};
     upper = {std::max(upper.x, other.upper.x), std::max(upper.y, other.upper.y),

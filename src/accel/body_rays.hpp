@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays against one type of body: into its own space, its crossings, and back.
+#pragma once
+
+#include "accel/ray_lanes.hpp"
+#include "math/double_lanes.hpp"
+#include "shapes/bodies.hpp"
+
+namespace zraka::ZRAKA_ISA {
+
+/// Rays and bodies of a register as they are asked for: in memory, for double lanes are fewer.
+template <class L>
+struct BodyQuery {
+  using R = typename L::Real;
+  static constexpr std::size_t kRoom = L::kWidth + 16;
+  alignas(64) R origin[3][kRoom], direction[3][kRoom], limit[kRoom];
+  alignas(64) std::int32_t body[kRoom];
+  alignas(64) R t[kRoom];  ///< the answer: the nearest hit, not positive where there is none
+};
+
+template <class L>
+ZRAKA_INLINE V3<typename DoublesOf<L>::F> load_doubles(
+    const typename L::Real (&from)[3][BodyQuery<L>::kRoom], std::size_t i) {
+  using D = DoublesOf<L>;
+  return {D::load_reals(from[0] + i), D::load_reals(from[1] + i), D::load_reals(from[2] + i)};
+}
+
+/// A body's numbers: the same in all lanes.
+template <class D>
+struct SharedNumbers {
+  const double* row;
+  ZRAKA_INLINE typename D::F operator()(int k) const { return typename D::F(row[k]); }
+};
+/// Or each lane's.
+template <class D>
+struct OwnNumbers {
+  const double* numbers;
+  const std::int32_t* start;
+  ZRAKA_INLINE typename D::F operator()(int k) const { return D::gather(numbers + k, start); }
+};
+
+/// A ray in a body's own space, and the way back to its distances: t = (s + before)·unit.
+template <class F>
+struct BodyView {
+  BodyRay<F> ray;
+  F before, unit;
+  ZRAKA_INLINE F distance(F s) const { return (s + before) * unit; }
+};
+
+/// `row` are a body's first numbers.
+template <class F, class Row>
+ZRAKA_INLINE BodyView<F> view_of(const Row& row, const V3<F>& origin, const V3<F>& direction) {
+  const V3<F> o{origin.x - row(kBodyCenter), origin.y - row(kBodyCenter + 1),
+                origin.z - row(kBodyCenter + 2)};
+  const auto turn = [&](int k, const V3<F>& v) {
+    return row(kBodyMatrix + k) * v.x + row(kBodyMatrix + k + 1) * v.y +
+           row(kBodyMatrix + k + 2) * v.z;
+  };
+  const V3<F> own{turn(0, o), turn(3, o), turn(6, o)};
+  const V3<F> way{turn(0, direction), turn(3, direction), turn(6, direction)};
+  const F unit = F(1.0) / sqrt(dot(way, way));
+  const V3<F> d = way * unit;
+  const F before = -dot(own, d);
+  return {{own + d * before, d}, before, unit};
+}
+
+/// The numbers after a body's first.
+template <class Row>
+struct NumbersAfter {
+  const Row& row;
+  ZRAKA_INLINE auto operator()(int k) const { return row(kBodyNumbers + k); }
+};
+
+/// Crossings of a body of this type, whose numbers are `row`, as distances along the rays.
+template <class Shape, class D, class Row>
+ZRAKA_INLINE void cross_body(const Row& row, const V3<typename D::F>& origin,
+                             const V3<typename D::F>& direction,
+                             typename D::F (&at)[BodyLanes<Shape, D>::kMost]) {
+  const BodyView<typename D::F> view = view_of(row, origin, direction);
+  BodyLanes<Shape, D>::cross(NumbersAfter<Row>{row}, view.ray, at);
+  for (auto& s : at) s = view.distance(s);
+}
+
+/// The first of crossings that lies in front; kNever where none does.
+template <class F, int kMost>
+ZRAKA_INLINE F first_in_front(const F (&at)[kMost]) {
+  F nearest(kNever);
+  for (const F& t : at) nearest = select(t > F(0.0), min(t, nearest), nearest);
+  return nearest;
+}
+
+/// Stores distances for those lanes [c, c + kWidth) of a query that are asked for.
+template <class L>
+ZRAKA_INLINE void answer(BodyQuery<L>& query, std::size_t c, std::uint32_t asked,
+                         typename DoublesOf<L>::F nearest) {
+  alignas(64) double t[DoublesOf<L>::kWidth];
+  DoublesOf<L>::store(nearest, t);
+  for (; asked != 0; asked &= asked - 1) {
+    const auto lane = static_cast<std::size_t>(__builtin_ctz(asked));
+    query.t[c + lane] =
+        t[lane] < kFarAway<double> ? static_cast<typename L::Real>(t[lane]) : typename L::Real(-1);
+  }
+}
+
+/// Calls function(c, asked, first body asked for) for each part of the query's lanes that double
+/// lanes hold.
+template <class L, class Function>
+ZRAKA_INLINE void each_part(std::uint32_t lanes, const Function& function) {
+  constexpr std::size_t kWidth = DoublesOf<L>::kWidth;
+  constexpr auto kAll = static_cast<std::uint32_t>((std::uint64_t{1} << kWidth) - 1);
+  for (std::size_t c = 0; c < L::kWidth; c += kWidth)
+    if (const std::uint32_t asked = lanes >> c & kAll; asked != 0) function(c, asked);
+}
+
+/// The nearest hits of those lanes of a query, all of bodies of this type.
+template <class Shape, class L>
+void hit_bodies(const FrozenShapes<typename L::Real, Body>& bodies, BodyQuery<L>& query,
+                std::uint32_t lanes, bool /*any*/) {
+  using D = DoublesOf<L>;
+  using F = typename D::F;
+  each_part<L>(lanes, [&](std::size_t c, std::uint32_t asked) {
+    const std::int32_t first = query.body[c + static_cast<std::size_t>(__builtin_ctz(asked))];
+    std::int32_t start[D::kWidth];
+    bool shared = true;
+    for (std::size_t lane = 0; lane < D::kWidth; ++lane) {
+      const std::int32_t body = (asked >> lane & 1) != 0 ? query.body[c + lane] : first;
+      shared = shared && body == first;
+      start[lane] = bodies.start[body];
+    }
+    const V3<F> origin = load_doubles<L>(query.origin, c);
+    const V3<F> direction = load_doubles<L>(query.direction, c);
+    F at[BodyLanes<Shape, D>::kMost];
+    if (shared)
+      cross_body<Shape, D>(SharedNumbers<D>{bodies.numbers + start[0]}, origin, direction, at);
+    else
+      cross_body<Shape, D>(OwnNumbers<D>{bodies.numbers, start}, origin, direction, at);
+    answer<L>(query, c, asked, first_in_front(at));
+  });
+}
+
+}  // namespace zraka::ZRAKA_ISA

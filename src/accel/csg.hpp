@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Constructive solid geometry: where a ray goes in and comes out of what bodies are together.
+//
+// A ray's crossings with each member come first. From one to the next, in front of the origin, it
+// is asked which members hold the ray there and what their expression says; the first crossing at
+// which that changes is the hit. So the surface of every member counts, and no span is put together
+// that nobody asks for.
+#pragma once
+
+#include "accel/body_rays.hpp"
+
+namespace zraka::ZRAKA_ISA {
+
+template <class D>
+using CrossFunction = void (*)(const double* row, const V3<typename D::F>& origin,
+                               const V3<typename D::F>& direction, typename D::F* at);
+
+/// Crossings of one body for all lanes.
+template <class Shape, class D>
+void cross_shared(const double* row, const V3<typename D::F>& origin,
+                  const V3<typename D::F>& direction, typename D::F* at) {
+  typename D::F found[BodyLanes<Shape, D>::kMost];
+  cross_body<Shape, D>(SharedNumbers<D>{row}, origin, direction, found);
+  for (int k = 0; k < BodyLanes<Shape, D>::kMost; ++k) at[k] = found[k];
+}
+
+/// What members of this type have; nothing where they cannot be members.
+template <class Shape, class D>
+constexpr CrossFunction<D> crossing_function() {
+  if constexpr (ShapeTraits<Shape>::kClosed && !ShapeTraits<Shape>::kComposed)
+    return cross_shared<Shape, D>;
+  else
+    return nullptr;
+}
+template <class Shape>
+constexpr int most_crossings() {
+  if constexpr (ShapeTraits<Shape>::kClosed && !ShapeTraits<Shape>::kComposed)
+    return BodyLanes<Shape, ScalarDoubles>::kMost;
+  else
+    return 0;
+}
+template <class D>
+inline constexpr CrossFunction<D> kCrossingFunctions[kBodyTypes] = {
+#define ZRAKA_FUNCTION(Type, plural) crossing_function<Type, D>(),
+    ZRAKA_BODIES(ZRAKA_FUNCTION)
+#undef ZRAKA_FUNCTION
+};
+inline constexpr int kMostCrossings[kBodyTypes] = {
+#define ZRAKA_MOST(Type, plural) most_crossings<Type>(),
+    ZRAKA_BODIES(ZRAKA_MOST)
+#undef ZRAKA_MOST
+};
+
+/// A CSG body's numbers: how many members it has that are no CSG themselves, and how long its
+/// expression is; then the members, as bodies; then the expression, operands before operations
+/// (an index of a member, or csg_operation()).
+struct CsgNumbers {
+  const double* row;
+  int members() const { return static_cast<int>(row[0]); }
+  int length() const { return static_cast<int>(row[1]); }
+  std::int32_t member(int i) const { return static_cast<std::int32_t>(row[2 + i]); }
+  int step(int i) const { return static_cast<int>(row[2 + members() + i]); }
+};
+
+/// One ray's, or lanes of rays', way through a CSG body.
+template <class D>
+class CsgWay {
+ public:
+  using F = typename D::F;
+  using M = typename D::M;
+
+  CsgWay(const FrozenBodies& bodies, std::int32_t body, const V3<F>& origin,
+         const V3<F>& direction)
+      : csg_{bodies.numbers + bodies.start[body]} {
+    int used = 0;
+    for (int i = 0; i < csg_.members(); ++i) {
+      const std::int32_t member = csg_.member(i);
+      first_[i] = used;
+      kCrossingFunctions<D>[bodies.type[member]](bodies.numbers + bodies.start[member], origin, direction,
+                                      at_ + used);
+      used += kMostCrossings[bodies.type[member]];
+    }
+    first_[csg_.members()] = used;
+  }
+
+  /// Whether what is behind distance t is inside.
+  M inside(F t) const {
+    M waiting[kMostCsgWaiting];
+    int count = 0;
+    for (int i = 0; i < csg_.length(); ++i) {
+      const int step = csg_.step(i);
+      if (step >= 0) {
+        waiting[count++] = in_member(step, t);
+        continue;
+      }
+      const int operands = csg_operands(step);
+      count -= operands;
+      M all = waiting[count];
+      for (int k = 1; k < operands; ++k) {
+        const M& next = waiting[count + k];
+        const auto operation = csg_operation_of(step);
+        all = operation == CsgOperation::unite       ? either(all, next)
+              : operation == CsgOperation::intersect ? both(all, next)
+                                                     : but_not(all, next);
+      }
+      waiting[count++] = all;
+    }
+    return waiting[0];
+  }
+
+  /// The next crossing with any member after t, kNever where there is none.
+  F next(F t) const {
+    F nearest(kNever);
+    for (int k = 0; k < first_[csg_.members()]; ++k)
+      nearest = select(at_[k] > t, min(at_[k], nearest), nearest);
+    return nearest;
+  }
+
+  /// The first crossing with the whole's surface in front of the origin, before `limit`.
+  F first_hit(F limit) const {
+    F t(0.0), found(kNever);
+    const M began = inside(t);
+    for (;;) {
+      t = next(t);
+      const auto going = both(t < limit, found == F(kNever));
+      if (!any(going)) return found;
+      const M now = inside(t);
+      const auto changed = both(going, either(but_not(now, began), but_not(began, now)));
+      found = select(changed, t, found);
+      t = select(found < F(kNever), F(kNever), t);
+    }
+  }
+
+  /// Of one ray: the first member that is crossed at t, as a body.
+  std::int32_t member_at(double t) const {
+    for (int i = 0; i < csg_.members(); ++i)
+      for (int k = first_[i]; k < first_[i + 1]; ++k)
+        if (at_[k] == t) return csg_.member(i);
+    return csg_.member(0);
+  }
+
+  const F* crossings(int member) const { return at_ + first_[member]; }
+  int crossing_count(int member) const { return first_[member + 1] - first_[member]; }
+
+ private:
+  M in_member(int i, F t) const {
+    M in = F(0.0) > F(0.0);
+    for (int k = first_[i]; k + 1 < first_[i + 1]; k += 2)
+      in = either(in, both(at_[k] <= t, t < at_[k + 1]));
+    return in;
+  }
+
+  CsgNumbers csg_;
+  int first_[kMostCsgCrossings + 1];
+  F at_[kMostCsgCrossings];
+};
+
+}  // namespace zraka::ZRAKA_ISA

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lanes of doubles beside an engine's lanes: for formulas that lose too much in float. As many of
+// them fill the engine's lanes as its numbers are smaller.
+#pragma once
+
+#include "math/lanes.hpp"
+
+namespace zraka::ZRAKA_ISA {
+
+/// The oracle's lanes are doubles themselves.
+struct ScalarDoubles {
+  using F = double;
+  using M = bool;
+  static constexpr std::size_t kWidth = 1;
+  static ZRAKA_INLINE F load(const double* p) { return *p; }
+  static ZRAKA_INLINE F load_reals(const double* p) { return *p; }
+  static ZRAKA_INLINE F load_reals(const float* p) { return static_cast<double>(*p); }
+  static ZRAKA_INLINE void store(F v, double* p) { *p = v; }
+  static ZRAKA_INLINE F gather(const double* base, const std::int32_t* index) {
+    return base[*index];
+  }
+};
+
+#ifdef ZRAKA_WIDE
+namespace wide {
+using Dd = hn::ScalableTag<double>;
+inline constexpr Dd dd{};
+}  // namespace wide
+
+struct DoubleLanes {
+  hn::Vec<wide::Dd> v;
+  DoubleLanes() = default;                                              // any values
+  ZRAKA_INLINE DoubleLanes(hn::Vec<wide::Dd> lanes) : v(lanes) {}       // NOLINT: implicit
+  ZRAKA_INLINE DoubleLanes(double all) : v(hn::Set(wide::dd, all)) {}   // NOLINT: implicit
+};
+struct DoubleMask {
+  hn::Mask<wide::Dd> v;
+};
+
+ZRAKA_INLINE DoubleLanes operator+(DoubleLanes a, DoubleLanes b) {
+  return hn::Add(a.v, b.v);
+}
+ZRAKA_INLINE DoubleLanes operator-(DoubleLanes a, DoubleLanes b) {
+  return hn::Sub(a.v, b.v);
+}
+ZRAKA_INLINE DoubleLanes operator*(DoubleLanes a, DoubleLanes b) {
+  return hn::Mul(a.v, b.v);
+}
+ZRAKA_INLINE DoubleLanes operator/(DoubleLanes a, DoubleLanes b) {
+  return hn::Div(a.v, b.v);
+}
+ZRAKA_INLINE DoubleLanes operator-(DoubleLanes a) {
+  return hn::Neg(a.v);
+}
+ZRAKA_INLINE DoubleMask operator<(DoubleLanes a, DoubleLanes b) {
+  return {hn::Lt(a.v, b.v)};
+}
+ZRAKA_INLINE DoubleMask operator>(DoubleLanes a, DoubleLanes b) {
+  return {hn::Lt(b.v, a.v)};
+}
+ZRAKA_INLINE DoubleMask operator<=(DoubleLanes a, DoubleLanes b) {
+  return {hn::Le(a.v, b.v)};
+}
+ZRAKA_INLINE DoubleMask operator>=(DoubleLanes a, DoubleLanes b) {
+  return {hn::Le(b.v, a.v)};
+}
+ZRAKA_INLINE DoubleMask operator==(DoubleLanes a, DoubleLanes b) {
+  return {hn::Eq(a.v, b.v)};
+}
+ZRAKA_INLINE bool any(DoubleMask m) {
+  return !hn::AllFalse(wide::dd, m.v);
+}
+ZRAKA_INLINE bool all(DoubleMask m) {
+  return hn::AllTrue(wide::dd, m.v);
+}
+ZRAKA_INLINE DoubleMask both(DoubleMask a, DoubleMask b) {
+  return {hn::And(a.v, b.v)};
+}
+ZRAKA_INLINE DoubleMask either(DoubleMask a, DoubleMask b) {
+  return {hn::Or(a.v, b.v)};
+}
+ZRAKA_INLINE DoubleMask but_not(DoubleMask a, DoubleMask b) {
+  return {hn::AndNot(b.v, a.v)};
+}
+ZRAKA_INLINE DoubleLanes select(DoubleMask m, DoubleLanes a, DoubleLanes b) {
+  return hn::IfThenElse(m.v, a.v, b.v);
+}
+ZRAKA_INLINE DoubleMask select(DoubleMask m, DoubleMask a, DoubleMask b) {
+  return either(both(m, a), but_not(b, m));
+}
+ZRAKA_INLINE DoubleLanes sqrt(DoubleLanes a) {
+  return hn::Sqrt(a.v);
+}
+/// a < b ? a : b, also for NaN and for zeros of both signs.
+ZRAKA_INLINE DoubleLanes min(DoubleLanes a, DoubleLanes b) {
+  return select(a < b, a, b);
+}
+ZRAKA_INLINE DoubleLanes max(DoubleLanes a, DoubleLanes b) {
+  return select(a > b, a, b);
+}
+ZRAKA_INLINE DoubleLanes copy_sign(DoubleLanes magnitude, DoubleLanes sign) {
+  return hn::CopySign(magnitude.v, sign.v);
+}
+ZRAKA_INLINE DoubleLanes abs(DoubleLanes a) {
+  return hn::Abs(a.v);
+}
+
+struct WideDoubles {
+  using F = DoubleLanes;
+  using M = DoubleMask;
+  static constexpr std::size_t kWidth = HWY_LANES(double);
+  static ZRAKA_INLINE F load(const double* p) { return hn::LoadU(wide::dd, p); }
+  static ZRAKA_INLINE F load_reals(const float* p) {
+    return hn::PromoteTo(wide::dd, hn::LoadU(hn::Rebind<float, wide::Dd>(), p));
+  }
+  static ZRAKA_INLINE void store(F v, double* p) { hn::StoreU(v.v, wide::dd, p); }
+  /// base[index[i]] in lane i.
+  static ZRAKA_INLINE F gather(const double* base, const std::int32_t* index) {
+    const hn::RebindToSigned<wide::Dd> wide_index;
+    const auto at = hn::LoadU(hn::Rebind<std::int32_t, wide::Dd>(), index);
+    return hn::GatherIndex(wide::dd, base, hn::PromoteTo(wide_index, at));
+  }
+};
+#endif
+
+namespace doubles {
+template <class R>
+struct Beside;
+template <>
+struct Beside<double> {
+  using Lanes = ScalarDoubles;
+};
+#ifdef ZRAKA_WIDE
+template <>
+struct Beside<float> {
+  using Lanes = WideDoubles;
+};
+#endif
+}  // namespace doubles
+/// The double lanes beside lanes L.
+template <class L>
+using DoublesOf = typename doubles::Beside<typename L::Real>::Lanes;
+
+}  // namespace zraka::ZRAKA_ISA

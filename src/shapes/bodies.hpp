@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// All bodies' files. The list itself is ZRAKA_BODIES in include/zraka/bodies.hpp.
+#pragma once
+
+#include <type_traits>
+
+#include "shapes/bodies/csg.hpp"
+#include "shapes/bodies/ellipsoid.hpp"
+#include "shapes/bodies/instance.hpp"
+#include "shapes/bodies/plane.hpp"
+
+namespace zraka {
+
+#define ZRAKA_OR(Type, plural) || std::is_same_v<Shape, Type>
+template <class Shape>
+inline constexpr bool is_body = false ZRAKA_BODIES(ZRAKA_OR);
+#undef ZRAKA_OR
+
+}  // namespace zraka
