@@ -10,6 +10,7 @@
 #include <vector>
 #include <zraka/limits.hpp>
 #include <zraka/shapes.hpp>
+#include <zraka/textures.hpp>
 #include <zraka/values.hpp>
 
 namespace zraka {
@@ -25,6 +26,8 @@ struct Material {
   /// ni. The lab profile takes it as n1/n2 on entry (sheet 3.5), the physical profile as the index
   /// of refraction of what is inside.
   double ior = 1;
+  std::vector<TextureUse> textures;  ///< coefficients that textures give, each at most once
+  NormalUse normals;
   friend bool operator==(const Material&, const Material&) = default;
 };
 
@@ -110,6 +113,8 @@ struct Scene : ShapeLists {
   std::vector<Material> materials;
   std::vector<Transform> transforms;  ///< that shapes name
   std::vector<Group> groups;
+  std::vector<Texture> textures;
+  std::map<std::uint32_t, std::string> texture_names;  ///< of those textures that have one
   std::map<std::uint32_t, std::string> material_names;  ///< of those materials that have one
   RenderDefaults defaults;
   std::string
