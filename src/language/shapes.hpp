@@ -42,9 +42,11 @@ enum ShapeList {
 
 /// Puts a shape into the scene, with the item's material and name, if nothing is wrong with it.
 template <class Shape>
-void add_shape(Item& item, std::vector<Object<Shape>> Scene::*list, ShapeList kind,
+void add_shape(Item& item, std::vector<Object<Shape>> ShapeLists::*list, ShapeList kind,
                const Shape& shape) {
-  if (const std::string problem = problem_of(shape); !problem.empty()) {
+  std::string problem;
+  if constexpr (requires { ShapeTraits<Shape>::check(shape); }) problem = problem_of(shape);
+  if (!problem.empty()) {
     item.input.problems.error(item.node.begin,
                               fmt::format("{}: {}", ShapeTraits<Shape>::kName, problem));
     return;
@@ -56,7 +58,7 @@ void add_shape(Item& item, std::vector<Object<Shape>> Scene::*list, ShapeList ki
 }
 #define ZRAKA_ADD(Type, plural)                            \
   inline void add_shape(Item& item, const Type& shape) {   \
-    add_shape(item, &Scene::plural, k##Type##List, shape); \
+    add_shape(item, &ShapeLists::plural, k##Type##List, shape); \
   }
 ZRAKA_SHAPES(ZRAKA_ADD)
 #undef ZRAKA_ADD

@@ -71,7 +71,7 @@ void write_all(const std::vector<Object<Shape>>& objects, ShapeList list, Output
     const auto name = output.scene.names.find({list, i});
     ShapeOutput shape{output, output.materials[objects[i].material],
                       name == output.scene.names.end() ? std::string_view() : name->second};
-    write_shape(objects[i].shape, shape);
+    if constexpr (!is_body<Shape>) write_shape(objects[i].shape, shape);
   }
 }
 
