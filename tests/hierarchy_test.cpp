@@ -60,7 +60,7 @@ void expect_same_without_rows(const Scene& scene) {
     EXPECT_NE(without.plural.rows, nullptr) << "of " #plural; \
     without.plural.rows = nullptr;                            \
   }
-  ZRAKA_KINDS(ZRAKA_FORGET)
+  ZRAKA_INLINED_KINDS(ZRAKA_FORGET)
 #undef ZRAKA_FORGET
   const std::vector<ProbeRay> rays = random_rays(20000, 5);
   std::vector<ProbeHit> want(rays.size()), got(rays.size());

@@ -226,13 +226,8 @@ void surfaces(const FrozenScene<float>* floats, const FrozenScene<double>* doubl
     for (std::size_t r = 0; r < kRegisters<L>; ++r) {
       const std::size_t first = begin + r * L::kWidth;
       const RayLanes<L>& ray = group.ray[r];
-      const V3<F> point = ray.origin + ray.direction * ray.t;
-      SurfacePoint<L> surface{point, point, F(0), L::first(0)};
-      L::I material(0);
-#define ZRAKA_SURFACE(Type, plural) \
-  surface_of<L>(scene.plural, ray.slot, ray.origin, ray.direction, point, surface, material);
-      ZRAKA_KINDS(ZRAKA_SURFACE)
-#undef ZRAKA_SURFACE
+      const SurfacePoint<L> surface =
+          surfaces_at<L>(scene, ray.slot, ray.origin, ray.direction, ray.t).at;
       std::int32_t slot[L::kWidth];
       L::store(ray.slot, slot);
       for (std::size_t i = 0; i < L::kWidth && first + i < count; ++i)

@@ -40,7 +40,7 @@ struct After<First, Others...> {
   using Types = testing::Types<Others...>;
 };
 #define ZRAKA_TYPE(Type, plural) , Type
-using AllKinds = After<void ZRAKA_KINDS(ZRAKA_TYPE)>::Types;
+using AllKinds = After<void ZRAKA_INLINED_KINDS(ZRAKA_TYPE)>::Types;
 #undef ZRAKA_TYPE
 
 struct NameOf {
@@ -48,7 +48,7 @@ struct NameOf {
   static std::string GetName(int) {
 #define ZRAKA_IF(Type, plural) \
   if constexpr (std::is_same_v<Kind, Type>) return #Type;
-    ZRAKA_KINDS(ZRAKA_IF)
+    ZRAKA_INLINED_KINDS(ZRAKA_IF)
 #undef ZRAKA_IF
   }
 };

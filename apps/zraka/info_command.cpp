@@ -8,7 +8,7 @@
 #include "commands.hpp"
 #include "core/json.hpp"
 #include "core/text.hpp"
-#include "shapes/shapes.hpp"
+#include "scene/bounds_of.hpp"
 #include "terminal.hpp"
 #include "zraka/zraka.hpp"
 
@@ -31,9 +31,10 @@ Facts facts_of(const Scene& scene) {
     facts.mirrors += m.reflection != 0;
     facts.glasses += m.refraction != 0;
   }
+  const Whereabouts where(scene);
 #define ZRAKA_INCLUDE(Type, plural)       \
   for (const auto& object : scene.plural) \
-    facts.bounds.include(ShapeTraits<Type>::bounds(object.shape));
+    if (const Bounds box = where.bounds(object); box.bounded()) facts.bounds.include(box);
   ZRAKA_SHAPES(ZRAKA_INCLUDE)
 #undef ZRAKA_INCLUDE
   return facts;

@@ -26,8 +26,8 @@ struct Material {
   /// ni. The lab profile takes it as n1/n2 on entry (sheet 3.5), the physical profile as the index
   /// of refraction of what is inside.
   double ior = 1;
-  std::vector<TextureUse> textures;  ///< coefficients that textures give, each at most once
-  NormalUse normals;
+  std::vector<TextureUse> textures{};  ///< coefficients that textures give, each at most once
+  NormalUse normals{};
   friend bool operator==(const Material&, const Material&) = default;
 };
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "accel/body_rays.hpp"
+#include "shapes/bodies/csg.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -139,6 +140,8 @@ class CsgWay {
     return csg_.member(0);
   }
 
+  int members() const { return csg_.members(); }
+  std::int32_t member(int i) const { return csg_.member(i); }
   const F* crossings(int member) const { return at_ + first_[member]; }
   int crossing_count(int member) const { return first_[member + 1] - first_[member]; }
 

@@ -23,8 +23,9 @@ class GroupRays {
   using R = typename L::Real;
 
   GroupRays(const FrozenShapes<R, Body>& bodies, std::int32_t body, const BodyQuery<L>& query,
-            std::uint32_t lanes) {
-    using D = DoublesOf<L>;
+            std::uint32_t lanes, bool any) {
+    // Distances are compared as they are in the end; until then ends are only roughly known.
+    const double slack = any ? 1 : 1 + 0x1p-20;
     using F = typename D::F;
     const double* const row = bodies.numbers + bodies.start[body];
     const SharedNumbers<D> numbers{row};
@@ -42,7 +43,7 @@ class GroupRays {
       store(from.x, o[0] + c), store(from.y, o[1] + c), store(from.z, o[2] + c);
       store(view.ray.direction.x, d[0] + c), store(view.ray.direction.y, d[1] + c);
       store(view.ray.direction.z, d[2] + c);
-      store(limit * F(1.0 + 0x1p-20), t + c);
+      store(limit * F(slack), t + c);
       D::store(view.before + start, start_ + c);
       D::store(view.unit, unit_ + c);
     }

@@ -17,9 +17,9 @@ ZRAKA_INLINE bool shapes_in_lanes(std::uint32_t rays, std::int32_t leaf) {
 
 /// Each of the rays against kWidth shapes of a leaf at a time: function(ray, slot of the first
 /// shape, distances), where distances that are not positive are no hits.
-template <class L, class R, class Function>
+template <bool kAny, class L, class R, class Function>
 ZRAKA_INLINE void each_ray_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& bundle,
-                                   const BundleEntry<R>& entry, std::uint32_t rays,
+                                   const BundleEntry<R>& entry, std::uint32_t rays, const R* t,
                                    const Function& function) {
   using F = typename L::F;
   const auto count = static_cast<std::size_t>(leaf_count(entry.leaf));

@@ -36,6 +36,7 @@ struct RayGroup {
   RayLanes<L> ray[kRegisters<L>];
   typename L::M active[kRegisters<L>];
 
+  RayGroup() = default;  // any values
   /// The rays [first, first + kRays) of n, where load(i) gives the rays [i, i + kWidth).
   template <class Load>
   ZRAKA_INLINE RayGroup(std::size_t first, std::size_t n, const Load& load) {

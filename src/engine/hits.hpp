@@ -10,6 +10,7 @@
 #include "engine/indices.hpp"
 #include "engine/load_rays.hpp"
 #include "engine/rules.hpp"
+#include "engine/surfaces.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -70,36 +71,6 @@ void trace_nearest(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scr
     sort_hits(scene.hierarchy, scratch, hits, level.hits.ray);
 }
 
-/// The surface of those lanes whose primitive is of this kind; others stay as they are.
-template <class L, class Shape>
-ZRAKA_INLINE void surface_of(const FrozenShapes<typename L::Real, Shape>& shapes,
-                             typename L::I slot, const V3<typename L::F>& origin,
-                             const V3<typename L::F>& direction, const V3<typename L::F>& point,
-                             SurfacePoint<L>& surface, typename L::I& material) {
-  using F = typename L::F;
-  using I = typename L::I;
-  if (shapes.count == 0) return;
-  const auto mine =
-      but_not(slot >= I(shapes.first_slot), slot >= I(shapes.first_slot + shapes.count));
-  if (!any(mine)) return;
-  const I index = select(mine, slot + I(-shapes.first_slot), I(0));
-  const std::int32_t one = first_lane(index);
-  const bool shared = all(index == I(one));
-  F shape[ShapeTraits<Shape>::kReals];
-  for (int k = 0; k < ShapeTraits<Shape>::kReals; ++k)
-    shape[k] = shared ? F(shapes.column[k][one]) : L::gather(shapes.column[k], index);
-  const SurfacePoint<L> found = ShapeLanes<Shape, L>::surface(shape, origin, direction, point);
-  const auto pick = [&](const V3<F>& a, const V3<F>& b) {
-    return V3<F>{select(mine, a.x, b.x), select(mine, a.y, b.y), select(mine, a.z, b.z)};
-  };
-  surface.point = pick(found.point, surface.point);
-  surface.normal = pick(found.normal, surface.normal);
-  surface.offset = select(mine, found.offset, surface.offset);
-  surface.inside = either(both(mine, found.inside), but_not(surface.inside, mine));
-  material =
-      select(mine, shared ? I(shapes.material[one]) : L::gather(shapes.material, index), material);
-}
-
 /// Point, normal towards the viewer, and material of each hit.
 template <class L, class R = typename L::Real, class Ruling = Rules>
 void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R>& scratch,
@@ -115,15 +86,8 @@ void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R
         select(L::first(n - h), L::load(level.hits.ray + h), I(level.hits.ray[h])));
     const V3<F> origin{ray.load(ox), ray.load(oy), ray.load(oz)};
     const V3<F> direction{ray.load(dx), ray.load(dy), ray.load(dz)};
-    const V3<F> point = origin + direction * ray.load(scratch.t);
-
-    SurfacePoint<L> surface{point, -direction, F(0), L::first(0)};
-    I material(0);
-    const I slot = ray.load(scratch.slot);
-#define ZRAKA_SURFACE(Type, plural) \
-  surface_of<L>(scene.plural, slot, origin, direction, point, surface, material);
-    ZRAKA_KINDS(ZRAKA_SURFACE)
-#undef ZRAKA_SURFACE
+    const auto [surface, material] =
+        surfaces_at<L>(scene, ray.load(scratch.slot), origin, direction, ray.load(scratch.t));
 
     // The normal is turned to the side that the ray comes from (sheet 3.7).
     const auto inside = surface.inside;

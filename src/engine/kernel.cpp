@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine for one instruction set. CMake compiles this file once for each, with ZRAKA_ISA naming
 // the namespace, the compiler's flags for the set, and ZRAKA_WIDE where Highway's lanes are used.
+#include "accel/group_rays.hpp"
 #include "engine/trace_tile.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -10,6 +11,18 @@ using Lanes = WideLanes;
 #else
 using Lanes = ScalarLanes<double>;
 #endif
+
+// Instances come back here from engine/bodies.cpp, level by level of groups.
+template <>
+void nearest_in_group<Lanes>(const FrozenScene<Lanes::Real>& group, RayGroup<Lanes>& rays) {
+  find_nearest<Lanes>(group, rays);
+}
+template <>
+std::uint32_t blocked_in_group<Lanes>(const FrozenScene<Lanes::Real>& group,
+                                      RayGroup<Lanes>& rays) {
+  LastBlocker last;
+  return find_blocked<Lanes>(group, last, rays);
+}
 
 void render_tile(const FrozenScene<Lanes::Real>& scene, const TraceSettings& settings,
                  const TileRect& tile, Workspace<Lanes::Real>& workspace, RayCounts& counts,

@@ -9,12 +9,11 @@
 namespace zraka {
 namespace {
 
-constexpr Word kShapeWords[][4] = {
-#define ZRAKA_WORDS_OF(Type, plural)                                       \
-  {Word::shape_##Type, Word::shape_##Type##_acc, Word::shape_##Type##_gen, \
-   Word::shape_##Type##_loc},
-    ZRAKA_SHAPES(ZRAKA_WORDS_OF)
-#undef ZRAKA_WORDS_OF
+using Nouns = const char* [2][4];  // by language and case
+constexpr const Nouns* kNouns[] = {
+#define ZRAKA_NOUNS(Type, plural) &ShapeTraits<Type>::kNouns,
+    ZRAKA_SHAPES(ZRAKA_NOUNS)
+#undef ZRAKA_NOUNS
 };
 
 constexpr const char* kPlainNames[] = {
@@ -30,7 +29,7 @@ std::string plain_name(const ShapeId& id) {
 }
 
 std::string_view noun_of(Language language, std::int32_t kind, Case form) {
-  return text_of(language, kShapeWords[kind][static_cast<int>(form)]);
+  return (*kNouns[kind])[static_cast<int>(language)][static_cast<int>(form)];
 }
 
 std::string label_of(Language language, const NamedShape& shape, Case form) {

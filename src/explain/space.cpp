@@ -6,7 +6,7 @@
 #include "core/json.hpp"
 #include "explain/names.hpp"
 #include "explain/segments.hpp"
-#include "shapes/shapes.hpp"
+#include "scene/bounds_of.hpp"
 
 namespace zraka {
 namespace {
@@ -23,8 +23,10 @@ Json outline(const Sphere& s) {
   return {{"center", point_json(s.center)}, {"radius", s.radius}};
 }
 template <class Shape>
-Json outline(const Shape& shape) {
-  const Bounds box = ShapeTraits<Shape>::bounds(shape);
+Json outline(const Whereabouts& where, const Object<Shape>& object) {
+  if constexpr (std::is_same_v<Shape, Sphere>) return outline(object.shape);
+  const Bounds box = where.bounds(object);
+  if (!box.bounded()) return Json::object();
   return {{"lower", point_json(box.lower)}, {"upper", point_json(box.upper)}};
 }
 
@@ -42,10 +44,10 @@ std::map<ShapeId, std::string> hit_shapes(const Explanation& explanation) {
 }
 
 template <class Shape>
-void add_shapes(Language language, const std::vector<Object<Shape>>& objects, std::int32_t kind,
+void add_shapes(Language language, const Whereabouts& where, const std::vector<Object<Shape>>& objects, std::int32_t kind,
                 const std::map<ShapeId, std::string>& hit_shapes_by_id, bool all, Json& shapes) {
   const auto add = [&](std::uint32_t index, const std::string* name) {
-    Json shape = outline(objects[index].shape);
+    Json shape = outline(where, objects[index]);
     shape["met"] = name != nullptr;
     shape["label"] = name == nullptr ? "" : label_of(language, NamedShape{{kind, index}, *name});
     shapes.push_back(std::move(shape));
@@ -80,8 +82,9 @@ std::string space_json(Language language, const Scene& scene, const Explanation&
   const std::map<ShapeId, std::string> hit_shapes_by_id = hit_shapes(explanation);
   const bool all = scene.shape_count() <= kFewShapes;
   std::int32_t kind = 0;
+  const Whereabouts where(scene);
 #define ZRAKA_ADD(Type, plural) \
-  add_shapes(language, scene.plural, kind++, hit_shapes_by_id, all, shapes);
+  add_shapes(language, where, scene.plural, kind++, hit_shapes_by_id, all, shapes);
   ZRAKA_SHAPES(ZRAKA_ADD)
 #undef ZRAKA_ADD
   for (std::size_t i = 0; i < explanation.lights.size() && i < kFewShapes; ++i)

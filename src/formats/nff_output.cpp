@@ -129,7 +129,7 @@ Result<WrittenScene> Writer::write() {
   losses_.count("names", scene_.names.size());
   losses_.defaults(scene_, {});
 #define ZRAKA_WRITE(Type, plural) write_all(scene_.plural);
-  ZRAKA_SHAPES(ZRAKA_WRITE)
+  ZRAKA_PRIMITIVES(ZRAKA_WRITE)
 #undef ZRAKA_WRITE
   written_.losses = losses_.diagnostics("NFF");
   return std::move(written_);

@@ -41,17 +41,33 @@ TraceSettings settings_of(const RenderOptions& options, const Frame& frame, int 
 
 namespace {
 
+/// Builds the hierarchy of a scene's shapes, or of a group's.
 template <class R>
-void finish(PreparedScene<R>& prepared) {
-  const std::vector<std::int32_t> kind_starts = kind_starts_of(prepared.store->scene);
+void add_hierarchy(FrozenStore<R>& store, BuiltHierarchy& hierarchy) {
+  const std::vector<std::int32_t> kind_starts = kind_starts_of(store.scene);
   const auto count = static_cast<std::size_t>(kind_starts.back());
   if (count > kFewShapes) {
     BuildRefs refs(count);
-    refer_to(prepared.store->scene, refs.data());
-    prepared.hierarchy = build_hierarchy(std::move(refs), kind_starts);
+    refer_to(store.scene, refs.data());
+    hierarchy = build_hierarchy(std::move(refs), kind_starts);
+    // Slots outside of the hierarchy come after all leaves.
+    if (!hierarchy.rank.empty())
+      for (std::int32_t i = store.scene.bodies.bounded; i < store.scene.bodies.count; ++i)
+        hierarchy.rank.push_back(store.scene.bodies.first_slot + i);
   }
-  reorder_by_leaf(*prepared.store, prepared.hierarchy);
-  prepared.hierarchy.order = {};
+  reorder_by_leaf(store, hierarchy);
+  hierarchy.order = {};
+}
+
+template <class R>
+void finish(PreparedScene<R>& prepared) {
+  FrozenStore<R>& store = *prepared.store;
+  store.group_hierarchies.resize(store.groups.size());
+  for (std::size_t i = 0; i < store.groups.size(); ++i) {
+    add_hierarchy(*store.group_stores[i], store.group_hierarchies[i]);
+    store.groups[i] = store.group_stores[i]->scene;
+  }
+  add_hierarchy(store, prepared.hierarchy);
 }
 
 }  // namespace

@@ -84,6 +84,11 @@ void ScreenBounds::add(const Projection& camera, const float* lower, const float
 template <class R>
 ScreenBounds::ScreenBounds(const FrozenScene<R>& scene, std::uint32_t width, std::uint32_t height) {
   const Projection camera(scene.camera, width, height);
+  if (scene.bodies.bounded < scene.bodies.count) {  // what has no bounds may be seen anywhere
+    left_ = top_ = {-kEverywhere};
+    right_ = bottom_ = {kEverywhere};
+    return;
+  }
   if (scene.hierarchy.nodes == nullptr) {
     std::vector<BuildRef> refs(static_cast<std::size_t>(kind_starts_of(scene).back()));
     refer_to(scene, refs.data());

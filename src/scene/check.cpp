@@ -15,7 +15,7 @@
 
 namespace zraka {
 
-std::uint64_t Scene::shape_count() const {
+std::uint64_t ShapeLists::shape_count() const {
   std::uint64_t count = 0;
 #define ZRAKA_COUNT(Type, plural) count += plural.size();
   ZRAKA_SHAPES(ZRAKA_COUNT)
@@ -49,7 +49,16 @@ struct Extent {
 };
 
 template <class Shape>
-void check_objects(const Scene& scene, const std::vector<Object<Shape>>& objects, Extent& extent,
+const char* problem_with(const Shape& shape) {
+  if constexpr (requires { ShapeTraits<Shape>::check(shape); })
+    return ShapeTraits<Shape>::check(shape);
+  else
+    return nullptr;
+}
+
+template <class Shape>
+void check_objects(const Scene& scene, const Whereabouts& where,
+                   const std::vector<Object<Shape>>& objects, Extent& extent,
                    const auto& complain) {
   using Traits = ShapeTraits<Shape>;
   std::mutex adding;
@@ -58,9 +67,13 @@ void check_objects(const Scene& scene, const std::vector<Object<Shape>>& objects
   in_parallel(objects.size(), [&](std::size_t begin, std::size_t end) {
     Extent part;
     for (std::size_t i = begin; i < end; ++i) {
-      const Bounds box = Traits::bounds(objects[i].shape);
+      const Bounds box = where.bounds(objects[i]);
+      if (!box.bounded()) {
+        good = good && objects[i].material < scene.materials.size();
+        continue;
+      }
       const double reach = box.reach(), most = farthest(box);
-      if (Traits::check(objects[i].shape) != nullptr || !(most <= kFarthest) ||
+      if (problem_with(objects[i].shape) != nullptr || !(most <= kFarthest) ||
           objects[i].material >= scene.materials.size())
         good = false;
       part.most = std::max(part.most, most);
@@ -72,9 +85,9 @@ void check_objects(const Scene& scene, const std::vector<Object<Shape>>& objects
   });
   if (good) return;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (const char* problem = Traits::check(objects[i].shape))
+    if (const char* problem = problem_with(objects[i].shape))
       complain(fmt::format("{} {}: {}", Traits::kName, i + 1, problem));
-    if (!(farthest(Traits::bounds(objects[i].shape)) <= kFarthest))
+    if (const Bounds box = where.bounds(objects[i]); box.bounded() && !(farthest(box) <= kFarthest))
       complain(fmt::format("{} {}: it reaches farther than {} from the origin", Traits::kName,
                            i + 1, kFarthest));
     if (objects[i].material >= scene.materials.size())
@@ -112,10 +125,12 @@ void check_floats(const Scene& scene, const Extent& extent, const auto& complain
   if (!(reach_of(camera.eye) <= kFar))
     complain("the eye is so far from all shapes that floats cannot hold the distance",
              "move it nearer");
+  const Whereabouts where(scene);
   const auto look = [&]<class Shape>(const std::vector<Object<Shape>>& objects) {
     using Traits = ShapeTraits<Shape>;
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      const Bounds box = Traits::bounds(objects[i].shape);
+      const Bounds box = where.bounds(objects[i]);
+      if (!box.bounded()) continue;
       const double reach = std::max(reach_of(box.lower), reach_of(box.upper));
       constexpr bool kRound = std::is_same_v<Shape, Sphere>;
       const bool too_far = reach > (kRound ? kFar : kFarCorner) ||
@@ -177,7 +192,9 @@ Diagnostics check(const Scene& scene) {
     complain(fmt::format("{} materials and {} lights are too many: at most {} of each fit",
                          scene.materials.size(), scene.lights.size(), kMostMaterials));
   Extent extent;
-#define ZRAKA_CHECK(Type, plural) check_objects(scene, scene.plural, extent, complain);
+  if (!found.empty()) return found;
+  const Whereabouts where(scene);
+#define ZRAKA_CHECK(Type, plural) check_objects(scene, where, scene.plural, extent, complain);
   ZRAKA_SHAPES(ZRAKA_CHECK)
 #undef ZRAKA_CHECK
   if (found.empty()) check_floats(scene, extent, complain);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/handover.hpp"
@@ -45,7 +46,7 @@ class View {
 
   /// False only if no ray meets the box.
   bool may_see(const Bounds& box) const {
-    if (!known_) return true;
+    if (!known_ || !box.bounded()) return true;
     const Vec3 middle{box.lower.x / 2 + box.upper.x / 2, box.lower.y / 2 + box.upper.y / 2,
                       box.lower.z / 2 + box.upper.z / 2};
     const double radius = length(between(box.lower, box.upper)) / 2;
@@ -83,14 +84,14 @@ struct Survey {
 
 /// Calls function(box) for some shapes, evenly over all.
 template <class Function>
-void each_sample(const Scene& scene, const Function& function) {
+void each_sample(const ShapeLists& shapes, const Whereabouts& where, const Function& function) {
   constexpr std::uint64_t kSamples = 65536;
-  const std::uint64_t step = scene.shape_count() / kSamples + 1;
+  const std::uint64_t step = shapes.shape_count() / kSamples + 1;
   std::uint64_t index = 0;  // over all kinds
-#define ZRAKA_LOOK(Type, plural)                                    \
-  for (; index < scene.plural.size(); index += step)                \
-    function(ShapeTraits<Type>::bounds(scene.plural[index].shape)); \
-  index -= scene.plural.size();
+#define ZRAKA_LOOK(Type, plural)                                     \
+  for (; index < shapes.plural.size(); index += step)                \
+    if (const Bounds box = where.bounds(shapes.plural[index]); box.bounded()) function(box); \
+  index -= shapes.plural.size();
   ZRAKA_SHAPES(ZRAKA_LOOK)
 #undef ZRAKA_LOOK
 }
@@ -106,7 +107,7 @@ T reduced(const std::vector<Object<Shape>>& objects, const T& none, const More& 
       tbb::blocked_range<Iterator>(objects.begin(), objects.end(), 65536), none,
       [&](const tbb::blocked_range<Iterator>& part, T sum) {
         handover.take();
-        for (const Object<Shape>& object : part) more(sum, object.shape);
+        for (const Object<Shape>& object : part) more(sum, object);
         handover.give();
         return sum;
       },
@@ -115,7 +116,7 @@ T reduced(const std::vector<Object<Shape>>& objects, const T& none, const More& 
   return all;
 }
 
-Survey survey(const Scene& scene, const View& view) {
+Survey survey(const Scene& scene, const Whereabouts& where, const View& view) {
   Survey all;
   const auto join = [](Survey a, const Survey& b) {
     a.bounds.include(b.bounds);
@@ -124,15 +125,15 @@ Survey survey(const Scene& scene, const View& view) {
     return a;
   };
   const auto include = [&]<class Shape>(const std::vector<Object<Shape>>& objects) {
-    const auto more = [&](Survey& sum, const Shape& shape) {
-      const Bounds box = ShapeTraits<Shape>::bounds(shape);
-      sum.bounds.include(box);
+    const auto more = [&](Survey& sum, const Object<Shape>& object) {
+      const Bounds box = where.bounds(object);
+      if (box.bounded()) sum.bounds.include(box);
       // Mostly one coordinate is enough to see that it is farther off.
       const double gap =
           std::max({box.lower.x - view.eye.x, view.eye.x - box.upper.x, box.lower.y - view.eye.y,
                     view.eye.y - box.upper.y, box.lower.z - view.eye.z, view.eye.z - box.upper.z});
       if (gap >= std::max(sum.nearest, sum.smallest)) return;
-      const double distance = ShapeTraits<Shape>::distance_to(shape, view.eye);
+      const double distance = where.distance(object, view.eye);
       const double size = std::max(distance, box.reach());
       if ((distance < sum.nearest || size < sum.smallest) && view.may_see(box)) {
         sum.nearest = std::min(sum.nearest, distance);
@@ -153,14 +154,16 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-Vec3 median_of(const Scene& scene) {
+/// None where nothing has bounds.
+std::optional<Vec3> median_of(const Scene& scene, const Whereabouts& where) {
   std::vector<double> x, y, z;
-  each_sample(scene, [&](const Bounds& box) {
+  each_sample(scene, where, [&](const Bounds& box) {
     x.push_back(box.lower.x / 2 + box.upper.x / 2);
     y.push_back(box.lower.y / 2 + box.upper.y / 2);
     z.push_back(box.lower.z / 2 + box.upper.z / 2);
   });
-  return {median(x), median(y), median(z)};
+  if (x.empty()) return std::nullopt;
+  return Vec3{median(x), median(y), median(z)};
 }
 
 }  // namespace
@@ -168,8 +171,15 @@ Vec3 median_of(const Scene& scene) {
 Frame frame_of(const Scene& scene) {
   if (scene.shape_count() == 0) return {};
   const View view(scene.camera);
-  const Survey all = survey(scene, view);
-  const Vec3 middle = median_of(scene);
+  const Whereabouts where(scene);
+  Survey all = survey(scene, where, view);
+  const Vec3 middle = median_of(scene, where).value_or(view.point_at(all.nearest));
+  if (all.bounds.empty() && all.nearest < Bounds::kInfinity) {
+    // Planes alone: as much around what is seen of them as it is away.
+    const double d = all.nearest;
+    all.bounds = {{middle.x - d, middle.y - d, middle.z - d},
+                  {middle.x + d, middle.y + d, middle.z + d}};
+  }
   if (!(all.nearest < Bounds::kInfinity)) return Frame::around(middle, all.bounds);
 
   const Vec3 seen = view.point_at(all.nearest);
@@ -190,13 +200,14 @@ Frame frame_of(const Scene& scene) {
   return frame;
 }
 
-bool has_ground_sphere(const Scene& scene, const Frame& frame) {
+bool has_ground_sphere(const ShapeLists& shapes, const Whereabouts& where, const Frame& frame) {
   const double largest = frame.length(reduced(
-      scene.spheres, 0.0, [](double& most, const Sphere& s) { most = std::max(most, s.radius); },
+      shapes.spheres, 0.0,
+      [](double& most, const Object<Sphere>& s) { most = std::max(most, s.shape.radius); },
       [](double a, double b) { return std::max(a, b); }));
   if (largest > kMostWidths * frame.length(frame.width_seen)) return true;
   std::vector<double> reaches;
-  each_sample(scene, [&](const Bounds& box) {
+  each_sample(shapes, where, [&](const Bounds& box) {
     const Vec3 lower = frame.point(box.lower), upper = frame.point(box.upper);
     reaches.push_back(std::max({std::fabs(lower.x), std::fabs(lower.y), std::fabs(lower.z),
                                 std::fabs(upper.x), std::fabs(upper.y), std::fabs(upper.z)}));

@@ -81,7 +81,7 @@ struct ChosenKinds {
 
 /// The objects that become shapes of this kind.
 template <class Shape>
-const auto& objects_as(const Scene& scene, const ChosenKinds& chosen) {
+const auto& objects_as(const ShapeLists& scene, const ChosenKinds& chosen) {
   static const std::vector<Object<Sphere>> kNoSpheres;
   static const std::vector<Object<Cone>> kNoCones;
   if constexpr (std::is_base_of_v<Sphere, Shape>)
@@ -91,20 +91,20 @@ const auto& objects_as(const Scene& scene, const ChosenKinds& chosen) {
     return chosen.cylinders == std::is_same_v<Shape, Cylinder> ? scene.cones : kNoCones;
 #define ZRAKA_ELSE(Type, plural) \
   else if constexpr (std::is_same_v<Shape, Type>) return scene.plural;
-  ZRAKA_SHAPES(ZRAKA_ELSE)
+  ZRAKA_PRIMITIVES(ZRAKA_ELSE)
 #undef ZRAKA_ELSE
 }
 
 /// The index of the kind's first shape in the scene as it was read.
 template <class Shape>
-std::int32_t first_id_of(const Scene& scene) {
+std::int32_t first_id_of(const ShapeLists& scene) {
   std::size_t first = 0;
 #define ZRAKA_ADD(Type, plural)                 \
   if constexpr (std::is_base_of_v<Type, Shape>) \
     return static_cast<std::int32_t>(first);    \
   else                                          \
     first += scene.plural.size();
-  ZRAKA_SHAPES(ZRAKA_ADD)
+  ZRAKA_PRIMITIVES(ZRAKA_ADD)
 #undef ZRAKA_ADD
   return static_cast<std::int32_t>(first);
 }
@@ -161,59 +161,48 @@ bool all_are_cylinders(const std::vector<Object<Cone>>& cones) {
   });
 }
 
-}  // namespace
-
-template <class R>
-std::uint64_t FrozenStore<R>::bytes() const {
-  return (reals.size() + rows.size()) * sizeof(R) +
-         (materials.size() + ids.size()) * sizeof(std::int32_t) +
-         lights.size() * sizeof(FrozenLight<R>);
+std::int32_t first_body_id(const ShapeLists& shapes) {
+  std::size_t first = 0;
+#define ZRAKA_ADD(Type, plural) first += shapes.plural.size();
+  ZRAKA_PRIMITIVES(ZRAKA_ADD)
+#undef ZRAKA_ADD
+  return static_cast<std::int32_t>(first);
 }
 
+/// The shapes of the kinds that are inlined. Returns the number of their slots.
 template <class R>
-std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profile,
-                                       const Frame& frame) {
-  auto store = std::make_unique<FrozenStore<R>>();
-  FrozenScene<R>& frozen = store->scene;
-  frozen.camera = freeze_camera<R>(scene, profile, frame);
-  frozen.reach = narrow<R>(frame.reach);
-  frozen.background = narrow<R>(scene.background);
-  frozen.ambient_light = narrow<R>(scene.ambient_light);
-
-  for (const PointLight& light : scene.lights)
-    store->lights.push_back(
-        {narrow<R>(within_reach(frame.point(light.position))), narrow<R>(light.color)});
-  frozen.lights = store->lights.data();
-  frozen.light_count = static_cast<std::int32_t>(store->lights.size());
-
+std::int32_t freeze_shapes(const ShapeLists& shapes, const Whereabouts& where,
+                           const std::vector<Material>& materials, const Profile& profile,
+                           const Frame& frame, FrozenStore<R>& store) {
+  FrozenScene<R>& frozen = store.scene;
   // One array for all the numbers: materials first, then column by column of each kind of shape.
-  const ChosenKinds chosen{has_ground_sphere(scene, frame), all_are_cylinders(scene.cones)};
-  std::size_t reals = scene.materials.size() * kMaterialReals, slots = 0;
+  const ChosenKinds chosen{has_ground_sphere(shapes, where, frame), all_are_cylinders(shapes.cones)};
+  std::size_t reals = materials.size() * kMaterialReals, slots = 0;
   const auto add_room = [&]<class Shape>(const auto& objects, const Pieces<Shape>& pieces) {
     const std::size_t room = objects.size() + pieces.others.size() + kColumnPadding;
     reals += room * static_cast<std::size_t>(ShapeTraits<Shape>::kReals);
     slots += room;
   };
 #define ZRAKA_COUNT(Type, plural)                                                    \
-  auto pieces_of_##plural = pieces_of<Type>(objects_as<Type>(scene, chosen), frame); \
-  add_room(objects_as<Type>(scene, chosen), pieces_of_##plural);
-  ZRAKA_KINDS(ZRAKA_COUNT)
+  auto pieces_of_##plural = pieces_of<Type>(objects_as<Type>(shapes, chosen), frame); \
+  add_room(objects_as<Type>(shapes, chosen), pieces_of_##plural);
+  ZRAKA_INLINED_KINDS(ZRAKA_COUNT)
 #undef ZRAKA_COUNT
-  store->materials.resize(slots);
-  store->reals.resize(reals);
-  R* real = store->reals.data();
-  std::int32_t* material = store->materials.data();
+  store.materials.resize(slots);
+  store.reals.resize(reals);
+  R* real = store.reals.data();
+  std::int32_t* material = store.materials.data();
 
   frozen.materials = real;
-  for (const Material& one : scene.materials) {
+  for (const Material& one : materials) {
     freeze_material(one, profile, real);
     real += kMaterialReals;
   }
 
   std::int32_t first_slot = 0;
-  const auto freeze_shapes = [&]<class Shape>(const auto& objects, Pieces<Shape>& pieces,
+  const auto freeze_kind = [&]<class Shape>(const auto& objects, Pieces<Shape>& pieces,
                                               FrozenShapes<R, Shape>& out,
-                                              std::vector<std::int32_t>& parents) {
+                                            std::vector<std::int32_t>& parents) {
     using Traits = ShapeTraits<Shape>;
     const std::size_t count = objects.size() + pieces.others.size();
     R* column[Traits::kReals];
@@ -225,7 +214,7 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
     std::fill_n(material + count, kColumnPadding, 0);
     out.count = static_cast<std::int32_t>(count);
     out.first_slot = first_slot;
-    out.first_id = first_id_of<Shape>(scene);
+    out.first_id = first_id_of<Shape>(shapes);
     first_slot += out.count;
     const auto put_numbers = [&](const double* numbers, std::size_t i) {
       for (int k = 0; k < Traits::kReals; ++k) column[k][i] = narrow<R>(numbers[k]);
@@ -247,12 +236,99 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
     material += count + kColumnPadding;
     parents = std::move(pieces.parents);
   };
-#define ZRAKA_FREEZE(Type, plural)                                                  \
-  freeze_shapes(objects_as<Type>(scene, chosen), pieces_of_##plural, frozen.plural, \
-                store->parents[kKindOf##Type]);
-  ZRAKA_KINDS(ZRAKA_FREEZE)
+#define ZRAKA_FREEZE(Type, plural)                                                 \
+  freeze_kind(objects_as<Type>(shapes, chosen), pieces_of_##plural, frozen.plural, \
+              store.parents[kKindOf##Type]);
+  ZRAKA_INLINED_KINDS(ZRAKA_FREEZE)
 #undef ZRAKA_FREEZE
+  return first_slot;
+}
+
+/// Frames of all groups: around what of them has bounds.
+std::vector<GroupPlace> places_of_groups(const Scene& scene, const Whereabouts& where) {
+  std::vector<GroupPlace> places;
+  for (const Group& group : scene.groups) {
+    Bounds bounds;
+    bool unbounded = false;
+    const auto include = [&](const auto& objects) {
+      for (const auto& object : objects) {
+        const Bounds box = where.bounds(object);
+        if (box.bounded())
+          bounds.include(box);
+        else
+          unbounded = true;
+      }
+    };
+#define ZRAKA_INCLUDE(Type, plural) include(group.plural);
+    ZRAKA_SHAPES(ZRAKA_INCLUDE)
+#undef ZRAKA_INCLUDE
+    const Vec3 middle = bounds.empty() ? Vec3()
+                                       : Vec3{bounds.lower.x / 2 + bounds.upper.x / 2,
+                                              bounds.lower.y / 2 + bounds.upper.y / 2,
+                                              bounds.lower.z / 2 + bounds.upper.z / 2};
+    const Frame frame = Frame::around(middle, bounds);
+    const Vec3 corner = bounds.empty() ? Vec3() : frame.point(bounds.upper);
+    // A little more than to its corners.
+    const double reach = std::hypot(corner.x, corner.y, corner.z) * 1.01;
+    places.push_back({frame, unbounded ? Bounds::kInfinity : reach});
+  }
+  return places;
+}
+
+/// All shapes of a scene or a group.
+template <class R>
+void freeze_all(const Scene& scene, const ShapeLists& shapes, const Whereabouts& where,
+                const std::vector<Material>& materials, const Profile& profile, const Frame& frame,
+                const std::vector<GroupPlace>& groups, FrozenStore<R>& store) {
+  const std::int32_t slots = freeze_shapes(shapes, where, materials, profile, frame, store);
+  FrozenShapes<R, Body>& bodies = store.scene.bodies;
+  freeze_bodies(scene, shapes, where, frame, groups, first_body_id(shapes), store.bodies, bodies);
+  bodies.first_slot = slots;
+}
+
+}  // namespace
+
+template <class R>
+std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profile,
+                                       const Frame& frame) {
+  auto store = std::make_unique<FrozenStore<R>>();
+  FrozenScene<R>& frozen = store->scene;
+  frozen.camera = freeze_camera<R>(scene, profile, frame);
+  frozen.reach = narrow<R>(frame.reach);
+  frozen.background = narrow<R>(scene.background);
+  frozen.ambient_light = narrow<R>(scene.ambient_light);
+
+  for (const PointLight& light : scene.lights)
+    store->lights.push_back(
+        {narrow<R>(within_reach(frame.point(light.position))), narrow<R>(light.color)});
+  frozen.lights = store->lights.data();
+  frozen.light_count = static_cast<std::int32_t>(store->lights.size());
+
+  const Whereabouts where(scene);
+  const std::vector<GroupPlace> places = places_of_groups(scene, where);
+  freeze_all(scene, scene, where, scene.materials, profile, frame, places, *store);
+  store->groups.resize(scene.groups.size());
+  frozen.bodies.groups = store->groups.data();
+  for (std::size_t i = 0; i < scene.groups.size(); ++i) {
+    auto group = std::make_unique<FrozenStore<R>>();
+    // What it is made of is the scene's.
+    freeze_all(scene, scene.groups[i], where, {}, profile, places[i].frame, places, *group);
+    group->scene.materials = frozen.materials;
+    group->scene.bodies.groups = store->groups.data();
+    group->scene.reach = R(1);
+    group->scene.camera.eye = {R(2), R(2), R(2)};  // rays come from no farther
+    store->group_stores.push_back(std::move(group));
+  }
   return store;
+}
+
+template <class R>
+std::uint64_t FrozenStore<R>::bytes() const {
+  std::uint64_t bytes = (reals.size() + rows.size()) * sizeof(R) +
+                        (materials.size() + ids.size()) * sizeof(std::int32_t) +
+                        lights.size() * sizeof(FrozenLight<R>) + this->bodies.bytes();
+  for (const auto& group : group_stores) bytes += group->bytes();
+  return bytes;
 }
 
 template std::uint64_t FrozenStore<float>::bytes() const;

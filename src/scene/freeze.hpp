@@ -10,6 +10,7 @@
 
 #include "core/unset_vector.hpp"
 #include "math/frame.hpp"
+#include "scene/freeze_bodies.hpp"
 #include "scene/frozen.hpp"
 
 namespace zraka {
@@ -18,6 +19,11 @@ namespace zraka {
 template <class R>
 struct FrozenStore {
   FrozenScene<R> scene{};
+  BodyStore bodies;
+  /// Groups of shapes, each in a frame of its own; their hierarchies are built like the scene's.
+  std::vector<FrozenScene<R>> groups;
+  std::vector<std::unique_ptr<FrozenStore<R>>> group_stores;
+  std::vector<BuiltHierarchy> group_hierarchies;
   UnsetVector<R> reals, rows;
   UnsetVector<std::int32_t> materials, ids;
   std::vector<FrozenLight<R>> lights;
@@ -37,7 +43,7 @@ Frame frame_of(const Scene& scene);
 
 /// Is there a sphere so large beside most shapes, or beside what the camera sees, that they need
 /// their digits where it passes them?
-bool has_ground_sphere(const Scene& scene, const Frame& frame);
+bool has_ground_sphere(const ShapeLists& shapes, const Whereabouts& where, const Frame& frame);
 
 /// Freezes a scene that check() finds nothing wrong with, its shapes in the order that they were
 /// read; the scene is not needed any more then. R is float, or double for the oracle.
@@ -45,7 +51,7 @@ template <class R>
 std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profile,
                                        const Frame& frame);
 
-/// Where the slots of each kind of shape begin, and where the last one's end.
+/// Where the slots of each kind of shape in the hierarchy begin, and where the last one's end.
 template <class R>
 std::vector<std::int32_t> kind_starts_of(const FrozenScene<R>& scene);
 

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <zraka/bodies.hpp>
 
+#include "math/bounds.hpp"
+
 namespace zraka {
 
 /// Number of each type of body, in the order of the list.
@@ -28,6 +30,7 @@ struct FrozenBodies {
   const std::int32_t* material;   ///< -1: that of the whole that it is a part of
   const std::int32_t* transform;  ///< as Object::transform
   const std::int32_t* id;         ///< as FrozenShapes::id; not of members
+  const Bounds* bounds;  ///< in the engine's frame, of those in the hierarchy until it is built
   std::int32_t count;             ///< without the members
   std::int32_t bounded;           ///< so many stand in the hierarchy
   std::int32_t first_slot;

@@ -137,9 +137,14 @@ void lint_places(const Scene& scene, Diagnostics& all) {
   bool seen = false;
   std::int32_t kind = 0;
   Warnings small(all);
-  const auto look = [&](const char* name, const auto& objects, const auto& bounds_of) {
+  const Whereabouts where(scene);
+  const auto look = [&](const char* name, const auto& objects) {
     for (std::uint32_t i = 0; i < objects.size(); ++i) {
-      const Bounds box = bounds_of(objects[i].shape);
+      const Bounds box = where.bounds(objects[i]);
+      if (!box.bounded()) {
+        seen = true;
+        continue;
+      }
       seen = seen || view.may_see(box);
       // Floats have 24 bits for the way from the eye, and from where the engine's frame is.
       const double away = std::max(box.distance_to(scene.camera.eye), box.distance_to(center));
@@ -153,8 +158,7 @@ void lint_places(const Scene& scene, Diagnostics& all) {
     }
     ++kind;
   };
-#define ZRAKA_LOOK(Type, plural) \
-  look(ShapeTraits<Type>::kName, scene.plural, ShapeTraits<Type>::bounds);
+#define ZRAKA_LOOK(Type, plural) look(ShapeTraits<Type>::kName, scene.plural);
   ZRAKA_SHAPES(ZRAKA_LOOK)
 #undef ZRAKA_LOOK
   if (!seen)

@@ -21,11 +21,25 @@ std::vector<std::int32_t> kind_starts_of(const FrozenScene<R>& scene) {
     end = shapes.first_slot + shapes.count;
   };
 #define ZRAKA_ADD(Type, plural) add(scene.plural);
-  ZRAKA_KINDS(ZRAKA_ADD)
+  ZRAKA_INLINED_KINDS(ZRAKA_ADD)
 #undef ZRAKA_ADD
   starts.push_back(end);
+  if (scene.bodies.count == 0) return starts;
+  starts.push_back(end + scene.bodies.bounded);
   return starts;
 }
+
+namespace {
+
+BuildRef ref_of(const Bounds& box, double margin, std::int32_t slot) {
+  return {{narrow<float>(box.lower.x - margin), narrow<float>(box.lower.y - margin),
+           narrow<float>(box.lower.z - margin)},
+          {narrow<float>(box.upper.x + margin), narrow<float>(box.upper.y + margin),
+           narrow<float>(box.upper.z + margin)},
+          slot};
+}
+
+}  // namespace
 
 template <class R>
 void refer_to(const FrozenScene<R>& scene, BuildRef* refs) {
@@ -48,17 +62,18 @@ void refer_to(const FrozenScene<R>& scene, BuildRef* refs) {
           numbers[k] = static_cast<double>(shapes.column[k][i]);
         const Bounds box = Traits::frozen_bounds(numbers);
         const std::int32_t slot = shapes.first_slot + static_cast<std::int32_t>(i);
-        refs[slot] = {{narrow<float>(box.lower.x - margin), narrow<float>(box.lower.y - margin),
-                       narrow<float>(box.lower.z - margin)},
-                      {narrow<float>(box.upper.x + margin), narrow<float>(box.upper.y + margin),
-                       narrow<float>(box.upper.z + margin)},
-                      slot};
+        refs[slot] = ref_of(box, margin, slot);
       }
     });
   };
 #define ZRAKA_REFER(Type, plural) refer(scene.plural);
-  ZRAKA_KINDS(ZRAKA_REFER)
+  ZRAKA_INLINED_KINDS(ZRAKA_REFER)
 #undef ZRAKA_REFER
+  for (std::int32_t i = 0; i < scene.bodies.bounded; ++i) {
+    const Bounds& box = scene.bodies.bounds[i];
+    const std::int32_t slot = scene.bodies.first_slot + i;
+    refs[slot] = ref_of(box, margin, slot);
+  }
 }
 
 namespace {
@@ -73,7 +88,7 @@ void add_rows(FrozenStore<R>& store) {
   FrozenScene<R>& scene = store.scene;
   std::int32_t reals = 0;
 #define ZRAKA_COUNT(Type, plural) reals += scene.plural.count * scene.plural.kRowReals;
-  ZRAKA_KINDS(ZRAKA_COUNT)
+  ZRAKA_INLINED_KINDS(ZRAKA_COUNT)
 #undef ZRAKA_COUNT
   store.rows.resize(static_cast<std::size_t>(reals));
   R* row = store.rows.data();
@@ -84,7 +99,7 @@ void add_rows(FrozenStore<R>& store) {
         row[k] = k < ShapeTraits<Shape>::kHitReals ? shapes.column[k][i] : R(0);
   };
 #define ZRAKA_ADD(Type, plural) add(scene.plural);
-  ZRAKA_KINDS(ZRAKA_ADD)
+  ZRAKA_INLINED_KINDS(ZRAKA_ADD)
 #undef ZRAKA_ADD
 }
 
@@ -136,8 +151,11 @@ void reorder_by_leaf(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
     reorder(shapes.material, store.materials);
   };
 #define ZRAKA_REORDER(Type, plural) reorder_shapes(scene.plural, store.parents[kKindOf##Type]);
-  ZRAKA_KINDS(ZRAKA_REORDER)
+  ZRAKA_INLINED_KINDS(ZRAKA_REORDER)
 #undef ZRAKA_REORDER
+  reorder_bodies(hierarchy.order.empty() ? nullptr
+                                         : hierarchy.order.data() + scene.bodies.first_slot,
+                 store.bodies, scene.bodies);
   if (std::is_same_v<R, float> && !hierarchy.order.empty() &&
       hierarchy.order.size() < kTooManyForRows)
     add_rows(store);

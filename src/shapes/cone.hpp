@@ -14,6 +14,8 @@ struct Cylinder : Cone {};
 template <>
 struct ShapeTraits<Cone> {
   static constexpr const char* kName = "cone";
+  static constexpr const char* kNouns[2][4] = {{"cone", "cone", "cone", "cone"},
+                                            {"stožac", "stožac", "stošca", "stošcu"}};
   /// Middle of the axis; unit axis; radius at the middle and its growth along the axis; half the
   /// axis' length.
   static constexpr int kReals = 9, kHitReals = 9;

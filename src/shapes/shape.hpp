@@ -13,6 +13,8 @@ namespace zraka {
 
 /// Specialised by each shape with
 ///   kName                          for messages
+///   kNouns                         what it is called in English and in Croatian, in the
+///                                  nominative, the accusative, the genitive and the locative
 ///   kReals                         how many numbers the engine needs
 ///   kHitReals                      how many of these, the first, intersect() needs
 ///   bounds(shape)                  a box around it, in world space

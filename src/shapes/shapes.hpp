@@ -2,6 +2,7 @@
 // All shapes' files. The list itself is ZRAKA_SHAPES in include/zraka/shapes.hpp.
 #pragma once
 
+#include "shapes/bodies.hpp"
 #include "shapes/cone.hpp"
 #include "shapes/smooth_triangle.hpp"
 #include "shapes/sphere.hpp"

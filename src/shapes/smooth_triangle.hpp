@@ -9,6 +9,8 @@ namespace zraka {
 template <>
 struct ShapeTraits<SmoothTriangle> {
   static constexpr const char* kName = "smooth triangle";
+  static constexpr const char* kNouns[2][4] = {{"smooth triangle", "smooth triangle", "smooth triangle", "smooth triangle"},
+                                            {"glatki trokut", "glatki trokut", "glatkog trokuta", "glatkom trokutu"}};
   static constexpr int kReals = 18, kHitReals = 9;  // corners, then their normals
 
   static Triangle flat(const SmoothTriangle& s) { return {s.a, s.b, s.c}; }

@@ -18,6 +18,8 @@ struct AnchoredSphere : Sphere {};
 template <>
 struct ShapeTraits<Sphere> {
   static constexpr const char* kName = "sphere";
+  static constexpr const char* kNouns[2][4] = {{"sphere", "sphere", "sphere", "sphere"},
+                                            {"kugla", "kuglu", "kugle", "kugli"}};
   static constexpr int kReals = 4, kHitReals = 4;  // centre, radius
 
   static Bounds bounds(const Sphere& s) {

@@ -18,6 +18,8 @@ inline void put(const Vec3& v, double* out) {
 template <>
 struct ShapeTraits<Triangle> {
   static constexpr const char* kName = "triangle";
+  static constexpr const char* kNouns[2][4] = {{"triangle", "triangle", "triangle", "triangle"},
+                                            {"trokut", "trokut", "trokuta", "trokutu"}};
   static constexpr int kReals = 9, kHitReals = 9;  // corners
 
   static Bounds bounds(const Triangle& s) {

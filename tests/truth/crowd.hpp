@@ -27,7 +27,7 @@ template <class Kind>
 std::int32_t count_of(const FrozenScene<float>& scene) {
 #define ZRAKA_IF(Type, plural) \
   if constexpr (std::is_same_v<Kind, Type>) return scene.plural.count;
-  ZRAKA_KINDS(ZRAKA_IF)
+  ZRAKA_INLINED_KINDS(ZRAKA_IF)
 #undef ZRAKA_IF
 }
 

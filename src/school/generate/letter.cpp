@@ -21,7 +21,7 @@ struct Spot {
   float gap = std::numeric_limits<float>::infinity();  ///< to the nearest sphere's surface
 };
 
-struct Disc {
+struct Circle {
   float x, y, radius;
 };
 
@@ -76,16 +76,16 @@ std::vector<std::vector<Spot>> Pieces::spots(Packing packing) const {
   return pieces;
 }
 
-/// Puts discs of at most `largest` one after the other where they touch those already there
+/// Puts circles of at most `largest` one after the other where they touch those already there
 /// (strokes), or where the largest one fits (fill), until none of at least `smallest` fits.
-std::vector<Disc> pack(std::vector<Spot> spots, Packing packing, float largest, float smallest) {
+std::vector<Circle> pack(std::vector<Spot> spots, Packing packing, float largest, float smallest) {
   const bool chain = packing == Packing::strokes;
   // A chain starts at the spot farthest from the middle: the end of a stroke.
   float middle_x = 0, middle_y = 0;
   for (const Spot& spot : spots) middle_x += spot.x, middle_y += spot.y;
   middle_x /= static_cast<float>(spots.size()), middle_y /= static_cast<float>(spots.size());
 
-  std::vector<Disc> discs;
+  std::vector<Circle> circles;
   for (;;) {
     const Spot* best = nullptr;
     float best_rank = 0, best_radius = 0;
@@ -94,12 +94,12 @@ std::vector<Disc> pack(std::vector<Spot> spots, Packing packing, float largest, 
       const float radius = std::min({spot.room, largest, chain ? spot.room : spot.gap});
       if (radius < smallest || spot.gap < radius) continue;
       float rank = chain ? radius - (spot.gap - radius) : radius * 1000 - spot.gap;
-      if (discs.empty()) rank = chain ? std::hypot(spot.x - middle_x, spot.y - middle_y) : radius;
+      if (circles.empty()) rank = chain ? std::hypot(spot.x - middle_x, spot.y - middle_y) : radius;
       if (best == nullptr || rank > best_rank) best = &spot, best_rank = rank, best_radius = radius;
     }
-    if (best == nullptr) return discs;
-    const Disc disc{best->x, best->y, best_radius};
-    discs.push_back(disc);
+    if (best == nullptr) return circles;
+    const Circle disc{best->x, best->y, best_radius};
+    circles.push_back(disc);
     std::erase_if(spots, [&](Spot& spot) {
       spot.gap = std::min(spot.gap, std::hypot(spot.x - disc.x, spot.y - disc.y) - disc.radius);
       return spot.gap < smallest;
@@ -108,10 +108,10 @@ std::vector<Disc> pack(std::vector<Spot> spots, Packing packing, float largest, 
 }
 
 /// How much of the strokes' middle is farther than a disc's radius from every disc's edge, 0…1.
-float uncovered(const std::vector<Spot>& spots, const std::vector<Disc>& discs) {
+float uncovered(const std::vector<Spot>& spots, const std::vector<Circle>& circles) {
   std::size_t bare = 0;
   for (const Spot& spot : spots)
-    bare += std::none_of(discs.begin(), discs.end(), [&](const Disc& d) {
+    bare += std::none_of(circles.begin(), circles.end(), [&](const Circle& d) {
       return std::hypot(spot.x - d.x, spot.y - d.y) < 1.1f * d.radius;
     });
   return static_cast<float>(bare) / static_cast<float>(spots.size());
@@ -119,52 +119,52 @@ float uncovered(const std::vector<Spot>& spots, const std::vector<Disc>& discs) 
 
 /// A chain along the strokes of a piece: of the radii between `low` and `high` parts of the usual
 /// room the one whose chain leaves least uncovered.
-std::vector<Disc> pack_chain(const std::vector<Spot>& spots, float low, float high) {
+std::vector<Circle> pack_chain(const std::vector<Spot>& spots, float low, float high) {
   std::vector<float> rooms;
   for (const Spot& spot : spots) rooms.push_back(spot.room);
   const auto middle = rooms.begin() + static_cast<std::ptrdiff_t>(rooms.size() / 2);
   std::nth_element(rooms.begin(), middle, rooms.end());
   constexpr int kTries = 10;
-  std::vector<Disc> best;
+  std::vector<Circle> best;
   float best_bare = 2;
   for (int i = 0; i <= kTries; ++i) {
     const float radius = *middle * (high + (low - high) * static_cast<float>(i) / kTries);
-    std::vector<Disc> discs = pack(spots, Packing::strokes, radius, 0.35f * radius);
-    const float bare = uncovered(spots, discs);
-    if (bare < best_bare) best_bare = bare, best = std::move(discs);
+    std::vector<Circle> circles = pack(spots, Packing::strokes, radius, 0.35f * radius);
+    const float bare = uncovered(spots, circles);
+    if (bare < best_bare) best_bare = bare, best = std::move(circles);
   }
   return best;
 }
 
-/// All pieces with discs whose radius is `size` of what is usual: 1 is as wide as the strokes.
-std::vector<Disc> pack_all(const std::vector<std::vector<Spot>>& pieces, Packing packing,
+/// All pieces with circles whose radius is `size` of what is usual: 1 is as wide as the strokes.
+std::vector<Circle> pack_all(const std::vector<std::vector<Spot>>& pieces, Packing packing,
                            float size) {
-  std::vector<Disc> all;
+  std::vector<Circle> all;
   for (const std::vector<Spot>& spots : pieces) {
     float widest = 0;
     for (const Spot& spot : spots) widest = std::max(widest, spot.room);
-    const std::vector<Disc> discs =
+    const std::vector<Circle> circles =
         packing == Packing::strokes
             ? pack_chain(spots, 0.8f * size, 1.1f * size)
             : pack(spots, packing, 0.6f * size * widest, 0.18f * size * widest);
-    all.insert(all.end(), discs.begin(), discs.end());
+    all.insert(all.end(), circles.begin(), circles.end());
   }
   return all;
 }
 
 /// With 0 wanted the usual size; else the size that gives the number nearest to it.
-std::vector<Disc> pack_about(const std::vector<std::vector<Spot>>& pieces, Packing packing,
+std::vector<Circle> pack_about(const std::vector<std::vector<Spot>>& pieces, Packing packing,
                              std::size_t wanted) {
-  std::vector<Disc> best = pack_all(pieces, packing, 1);
+  std::vector<Circle> best = pack_all(pieces, packing, 1);
   if (wanted == 0) return best;
-  const auto off = [&](const std::vector<Disc>& d) {
+  const auto off = [&](const std::vector<Circle>& d) {
     return d.size() > wanted ? d.size() - wanted : wanted - d.size();
   };
   // The number falls with the size, but by leaps and not always.
   for (float size = 1.2f; size > 0.04f && off(best) > 0; size *= 0.97f) {
-    std::vector<Disc> discs = pack_all(pieces, packing, size);
-    if (discs.size() > 2 * wanted + 10) break;
-    if (off(discs) < off(best)) best = std::move(discs);
+    std::vector<Circle> circles = pack_all(pieces, packing, size);
+    if (circles.size() > 2 * wanted + 10) break;
+    if (off(circles) < off(best)) best = std::move(circles);
   }
   return best;
 }
@@ -211,10 +211,10 @@ Result<Scene> generate_letter(const std::string& text, const LetterOptions& opti
 
   const auto letters = static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80 && c != ' '; }));
-  const std::vector<Disc> discs =
+  const std::vector<Circle> circles =
       pack_about(Pieces(*ink).spots(options.packing), options.packing,
                  static_cast<std::size_t>(std::max(options.spheres, 0)) * letters);
-  if (discs.empty()) return failure("", phrase(Word::letter_no_room));
+  if (circles.empty()) return failure("", phrase(Word::letter_no_room));
 
   // From the drawn text to a plane behind the lab's window, where the eye sees it fill nine tenths
   // of it.
@@ -225,14 +225,14 @@ Result<Scene> generate_letter(const std::string& text, const LetterOptions& opti
   scene.defaults.profile = ProfileName::lab;
   scene.lights = {{{-2, 3, 3}, {1, 1, 1}}};
   const double half = kFilled * (kEye - kPlane) / kEye * scene.camera.window_right.x / 2;
-  float left = discs[0].x, right = left, top = discs[0].y, bottom = top;
-  for (const Disc& disc : discs) {
+  float left = circles[0].x, right = left, top = circles[0].y, bottom = top;
+  for (const Circle& disc : circles) {
     left = std::min(left, disc.x - disc.radius), right = std::max(right, disc.x + disc.radius);
     top = std::min(top, disc.y - disc.radius), bottom = std::max(bottom, disc.y + disc.radius);
   }
   const double scale = 2 * half / static_cast<double>(std::max(right - left, bottom - top));
   const float middle_x = (left + right) / 2, middle_y = (top + bottom) / 2;
-  for (const Disc& disc : discs) {
+  for (const Circle& disc : circles) {
     const auto i = scene.spheres.size();
     scene.spheres.push_back({{{rounded(static_cast<double>(disc.x - middle_x) * scale),
                                rounded(static_cast<double>(middle_y - disc.y) * scale), kPlane},

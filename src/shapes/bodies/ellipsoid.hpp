@@ -12,6 +12,8 @@ namespace zraka {
 template <>
 struct ShapeTraits<Ellipsoid> {
   static constexpr const char* kName = "ellipsoid";
+  static constexpr const char* kNouns[2][4] = {{"ellipsoid", "ellipsoid", "ellipsoid", "ellipsoid"},
+                                            {"elipsoid", "elipsoid", "elipsoida", "elipsoidu"}};
   static constexpr bool kClosed = true, kComposed = false;
   static constexpr int kNumbers = 0;
 

@@ -12,6 +12,8 @@ namespace zraka {
 template <>
 struct ShapeTraits<Plane> {
   static constexpr const char* kName = "plane";
+  static constexpr const char* kNouns[2][4] = {{"plane", "plane", "plane", "plane"},
+                                            {"ravnina", "ravninu", "ravnine", "ravnini"}};
   static constexpr bool kClosed = true, kComposed = false;
   static constexpr int kNumbers = 0;
 
