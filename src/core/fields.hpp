@@ -38,9 +38,9 @@ struct Chosen {
   friend bool operator==(const Chosen&, const Chosen&) = default;
 };
 /// monostate: an optional member that holds nothing.
-using FieldValue = std::variant<std::monostate, double, std::int64_t, bool, Vec3, Color,
-                                std::string, Chosen, Points, Colors, Numbers, CornerUvs, Transform,
-                                TextureIndex, ShapeTables>;
+using FieldValue =
+    std::variant<std::monostate, double, std::int64_t, bool, Vec3, Color, std::string, Chosen,
+                 Points, Colors, Numbers, CornerUvs, Transform, TextureIndex, ShapeTables>;
 
 enum class FieldKind {
   number,
@@ -273,7 +273,6 @@ constexpr Field table_field(std::string_view key, const Table& table, const Abou
   };
   return made;
 }
-
 
 /// A field that the language has, but nothing does anything with yet.
 constexpr Field not_built(std::string_view key, std::string_view text) {

@@ -9,12 +9,20 @@
 namespace zraka::language {
 namespace {
 
+double dot(const Vec3& a, const Vec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
 /// By which a transform that keeps balls round changes lengths.
 double scale_of(const Transform& t) {
-  const Vec3& v = t.along_x;
-  const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-  const double x = v.x / largest, y = v.y / largest, z = v.z / largest;
-  return largest * std::sqrt(x * x + y * y + z * z);
+  double largest = 0, squares = 0;
+  for (const Vec3& v : {t.along_x, t.along_y, t.along_z})
+    largest = std::max({largest, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  for (const Vec3& v : {t.along_x, t.along_y, t.along_z}) {
+    const Vec3 small{v.x / largest, v.y / largest, v.z / largest};
+    squares += dot(small, small);
+  }
+  return largest * std::sqrt(squares / 3);
 }
 
 /// The inverse, by a factor: how long normals are does not matter, and so they keep their digits.
@@ -26,10 +34,6 @@ Transform inverse_of_size_1(const Transform& t) {
   for (Vec3* const v : {&back.along_x, &back.along_y, &back.along_z})
     *v = {v->x / largest, v->y / largest, v->z / largest};
   return back;
-}
-
-double dot(const Vec3& a, const Vec3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 }  // namespace
@@ -52,7 +56,7 @@ SmoothTriangle baked(const SmoothTriangle& s, const Transform& t) {
   const auto normal = [&](const Vec3& n) {
     return Vec3{dot(back.along_x, n), dot(back.along_y, n), dot(back.along_z, n)};
   };
-  return {moved(s.a, t),        moved(s.b, t),        moved(s.c, t),
+  return {moved(s.a, t),      moved(s.b, t),      moved(s.c, t),
           normal(s.normal_a), normal(s.normal_b), normal(s.normal_c)};
 }
 

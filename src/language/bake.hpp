@@ -10,8 +10,8 @@ namespace zraka::language {
 Sphere baked(const Sphere& sphere, const Transform& transform);
 Cone baked(const Cone& cone, const Transform& transform);
 Triangle baked(const Triangle& triangle, const Transform& transform);
-/// Normals go by the inverse's transpose, so that they stand on the surface still. The transform has
-/// to have an inverse.
+/// Normals go by the inverse's transpose, so that they stand on the surface still. The transform
+/// has to have an inverse.
 SmoothTriangle baked(const SmoothTriangle& triangle, const Transform& transform);
 
 }  // namespace zraka::language

@@ -85,7 +85,8 @@ struct Family {
 template <class Entry, void (*put)(Entry&, Item&)>
 constexpr Kind kind_of(std::string_view name, std::string_view called, std::string_view text,
                        std::span<const Field> fields, bool closed = false) {
-  return {name, table_of<Entry>(called, text, fields), [](const Kind& kind, Item& item) {
+  return {name, table_of<Entry>(called, text, fields),
+          [](const Kind& kind, Item& item) {
             Entry entry{};
             const Part parts[] = {{&kind.table, &entry}, {&item.family.common, item.common}};
             Problems& problems = item.input.problems;

@@ -125,20 +125,20 @@ constexpr Family kShapeFamily = {
     .prepare = prepare};
 
 void read_shape(const toml::Node& node, const Place& place, Input& input) {
-  CommonEntry common{.place = place};
+  CommonEntry common;
+  common.place = place;
   read_item(node, kShapeFamily, input, &common);
 }
 
-#define ZRAKA_ADD(Type, plural)                            \
-  void add_shape(Item& item, const Type& body) {           \
+#define ZRAKA_ADD(Type, plural)                               \
+  void add_shape(Item& item, const Type& body) {              \
     add_body(item, &ShapeLists::plural, k##Type##List, body); \
   }
 ZRAKA_BODIES(ZRAKA_ADD)
 #undef ZRAKA_ADD
-#define ZRAKA_ADD(Type, plural)                                                        \
-  void add_shape(Item& item, const Type& primitive,                                    \
-                 const std::optional<Transform>& of_textures) {                        \
-    add_primitive(item, &ShapeLists::plural, k##Type##List, primitive, of_textures);   \
+#define ZRAKA_ADD(Type, plural)                                                                    \
+  void add_shape(Item& item, const Type& primitive, const std::optional<Transform>& of_textures) { \
+    add_primitive(item, &ShapeLists::plural, k##Type##List, primitive, of_textures);               \
   }
 ZRAKA_PRIMITIVES(ZRAKA_ADD)
 #undef ZRAKA_ADD
@@ -151,8 +151,7 @@ void add_uvs(std::vector<CornerUvs>& uvs, std::size_t triangles,
 }
 
 void refuse_texture_transform(const Item& item, std::string_view what) {
-  item.complain("texture_transform",
-                fmt::format("texture_transform for {} is not built yet", what),
+  item.complain("texture_transform", fmt::format("texture_transform for {} is not built yet", what),
                 "the texture's own transform moves it on all shapes");
 }
 

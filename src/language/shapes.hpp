@@ -83,9 +83,9 @@ void read_shape(const toml::Node& node, const Place& place, Input& input);
 #define ZRAKA_ADD(Type, plural) void add_shape(Item& item, const Type& body);
 ZRAKA_BODIES(ZRAKA_ADD)
 #undef ZRAKA_ADD
-/// The same for a primitive, which the transform moves, and which must not be a member. Its textures
-/// and uv move with it, and before that by a transform of their own.
-#define ZRAKA_ADD(Type, plural)                    \
+/// The same for a primitive, which the transform moves, and which must not be a member. Its
+/// textures and uv move with it, and before that by a transform of their own.
+#define ZRAKA_ADD(Type, plural)                     \
   void add_shape(Item& item, const Type& primitive, \
                  const std::optional<Transform>& of_textures = {});
 ZRAKA_PRIMITIVES(ZRAKA_ADD)

@@ -16,7 +16,7 @@
 namespace zraka::language {
 namespace {
 
-using Kind = toml::Node::Kind;
+using NodeKind = toml::Node::Kind;
 
 struct SineAndCosine {
   double sin, cos;
@@ -52,17 +52,16 @@ class StepReader {
       : node_(node), of_(std::move(of)), problems_(problems) {}
 
   std::optional<Transform> read() {
-    if (node_.kind != Kind::table || node_.children.empty())
+    if (node_.kind != NodeKind::table || node_.children.empty())
       return fail(node_, fmt::format("a step of {} is {}: expected {}", of_,
                                      shown(problems_.source(node_)), kSteps));
     static constexpr std::string_view kKeys[] = {"scale", "rotate", "by_deg", "translate",
                                                  "matrix"};
     for (const toml::Node& child : node_.children)
       if (std::find(std::begin(kKeys), std::end(kKeys), child.key) == std::end(kKeys)) {
-        problems_.unknown(
-            child.key_begin,
-            fmt::format("unknown field '{}' of a step of {}", shown(child.key), of_), child.key,
-            kKeys, "fields of a step");
+        problems_.unknown(child.key_begin,
+                          fmt::format("unknown field '{}' of a step of {}", shown(child.key), of_),
+                          child.key, kKeys, "fields of a step");
         return std::nullopt;
       }
     const toml::Node *const axis = node_.find("rotate"), *const angle = node_.find("by_deg");
@@ -114,8 +113,8 @@ class StepReader {
       const double each = std::get<double>(number);
       by = Vec3{each, each, each};
     }
-    const Transform scale = by ? Transform{{by->x, 0, 0}, {0, by->y, 0}, {0, 0, by->z}, {}}
-                               : Transform{{}, {}, {}, {}};
+    const Transform scale =
+        by ? Transform{{by->x, 0, 0}, {0, by->y, 0}, {0, 0, by->z}, {}} : Transform{{}, {}, {}, {}};
     if (!by || by->x == 0 || by->y == 0 || by->z == 0 || !all_finite(scale))
       return refuse(value, "a number or [x, y, z], finite and none of them 0");
     return scale;
@@ -139,10 +138,10 @@ class StepReader {
 
   std::optional<Transform> read_matrix(const toml::Node& value) {
     std::array<std::array<double, 4>, 3> m{};
-    bool good = value.kind == Kind::array && value.children.size() == 3;
+    bool good = value.kind == NodeKind::array && value.children.size() == 3;
     for (std::size_t row = 0; good && row < 3; ++row) {
       const toml::Node& numbers = value.children[row];
-      good = numbers.kind == Kind::array && numbers.children.size() == 4;
+      good = numbers.kind == NodeKind::array && numbers.children.size() == 4;
       for (std::size_t column = 0; good && column < 4; ++column) {
         const FieldValue number = value_as(FieldKind::number, numbers.children[column]);
         good = number.index() != 0 && std::isfinite(std::get<double>(number));
@@ -167,7 +166,8 @@ class StepReader {
 }  // namespace
 
 Transform rotation(const Vec3& axis, double degrees) {
-  const double largest = std::fmax(std::fabs(axis.x), std::fmax(std::fabs(axis.y), std::fabs(axis.z)));
+  const double largest =
+      std::fmax(std::fabs(axis.x), std::fmax(std::fabs(axis.y), std::fabs(axis.z)));
   Vec3 n{axis.x / largest, axis.y / largest, axis.z / largest};
   const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
   n = {n.x / length, n.y / length, n.z / length};
@@ -184,7 +184,7 @@ Transform rotation(const Vec3& axis, double degrees) {
 std::optional<Transform> read_transform(const toml::Node& node, std::string_view key,
                                         std::string_view what, Problems& problems) {
   const std::string of = fmt::format("{} of {}", key, what);
-  if (node.kind != Kind::array) {
+  if (node.kind != NodeKind::array) {
     problems.error(node.begin, fmt::format("{} is {}: expected {}", of,
                                            shown(problems.source(node)), expected_transform()));
     return std::nullopt;

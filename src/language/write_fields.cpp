@@ -47,8 +47,7 @@ std::string text_of_float(float number) {
 /// A texture's name; a problem where it has none, which is not there.
 std::string name_of(const TextureIndex& texture, Text& out) {
   if (texture.index < out.textures.size()) return in_quotes(out.textures[texture.index]);
-  out.problems.push_back(
-      fmt::format("texture {} of {}", texture.index, out.textures.size()));
+  out.problems.push_back(fmt::format("texture {} of {}", texture.index, out.textures.size()));
   return "\"\"";
 }
 
@@ -99,40 +98,44 @@ std::string key_of(std::string_view name) {
   return bare ? std::string(name) : in_quotes(name);
 }
 
+namespace {
+
+struct Writer {
+  const Field& field;
+
+  std::string operator()(std::monostate) const { return ""; }
+  std::string operator()(double number) const { return text_of(number); }
+  std::string operator()(std::int64_t number) const { return std::to_string(number); }
+  std::string operator()(bool truth) const { return truth ? "true" : "false"; }
+  std::string operator()(const Vec3& v) const { return text_of(v); }
+  std::string operator()(const Color& c) const {
+    return same(c.r, c.g) && same(c.g, c.b) ? text_of(c.r) : text_of(Vec3{c.r, c.g, c.b});
+  }
+  std::string operator()(const std::string& text) const { return in_quotes(text); }
+  std::string operator()(const Chosen& chosen) const {
+    return in_quotes(field.about.choices[static_cast<std::size_t>(chosen.index)].name);
+  }
+  template <class T>
+  std::string operator()(const std::vector<T>& values) const {
+    std::string text;
+    for (const T& value : values) text += (text.empty() ? "" : ", ") + (*this)(value);
+    return "[" + text + "]";
+  }
+  std::string operator()(const CornerUvs& uvs) const {
+    std::string text;
+    for (const auto& [u, v] : uvs)
+      text +=
+          fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", text_of_float(u), text_of_float(v));
+    return "[" + text + "]";
+  }
+  std::string operator()(const Transform& transform) const { return text_of(transform); }
+  std::string operator()(const TextureIndex&) const { return ""; }
+  std::string operator()(const ShapeTables& shapes) const { return shapes.text; }
+};
+
+}  // namespace
+
 std::string text_of(const Field& field, const FieldValue& value) {
-  struct Writer {
-    const Field& field;
-    std::string operator()(std::monostate) const { return ""; }
-    std::string operator()(double number) const { return text_of(number); }
-    std::string operator()(std::int64_t number) const { return std::to_string(number); }
-    std::string operator()(bool truth) const { return truth ? "true" : "false"; }
-    std::string operator()(const Vec3& v) const { return text_of(v); }
-    std::string operator()(const Color& c) const {
-      return same(c.r, c.g) && same(c.g, c.b) ? text_of(c.r) : text_of(Vec3{c.r, c.g, c.b});
-    }
-    std::string operator()(const std::string& text) const { return in_quotes(text); }
-    std::string operator()(const Chosen& chosen) const {
-      return in_quotes(field.about.choices[static_cast<std::size_t>(chosen.index)].name);
-    }
-    template <class T>
-    std::string operator()(const std::vector<T>& values) const {
-      std::string text;
-      for (const T& value : values) text += (text.empty() ? "" : ", ") + (*this)(value);
-      return "[" + text + "]";
-    }
-    std::string operator()(const CornerUvs& uvs) const {
-      std::string text;
-      for (const auto& [u, v] : uvs)
-        text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", text_of_float(u),
-                            text_of_float(v));
-      return "[" + text + "]";
-    }
-    std::string operator()(const Transform& transform) const {
-      return language::text_of(transform);
-    }
-    std::string operator()(const TextureIndex&) const { return ""; }
-    std::string operator()(const ShapeTables& shapes) const { return shapes.text; }
-  };
   return std::visit(Writer{field}, value);
 }
 

@@ -48,8 +48,8 @@ void ShapeOutput::write(const Kind& kind, const void* entry) {
     return write_fields(kind.table, kind.table.name, entry, output.text);
   }
   std::vector<std::string> pairs = {fmt::format("kind = {}", in_quotes(kind.name))};
-  for (const Part& part : {Part{&kShapeFamily.common, &common},
-                           Part{&kind.table, const_cast<void*>(entry)}})
+  for (const Part& part :
+       {Part{&kShapeFamily.common, &common}, Part{&kind.table, const_cast<void*>(entry)}})
     for (std::string& pair : pairs_of(*part.table, kind.table.name, part.object, output.text))
       pairs.push_back(std::move(pair));
   member = fmt::format("{{{}}}", fmt::join(pairs, ", "));

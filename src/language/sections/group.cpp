@@ -17,8 +17,8 @@ struct GroupEntry {
 };
 
 constexpr Field kFields[] = {
-    field<&GroupEntry::shape>("shape", {.text = "its shapes, each as below [[shape]]",
-                                        .required = true}),
+    field<&GroupEntry::shape>("shape",
+                              {.text = "its shapes, each as below [[shape]]", .required = true}),
 };
 constexpr Table kTable = table_of<GroupEntry>(
     "group",
@@ -94,8 +94,8 @@ class Follower {
   }
 
   void tell_depth(const GroupUse& use) {
-    input_.problems.error(use.position, fmt::format("groups are in each other more than {} deep",
-                                                    kMostGroupLevels));
+    input_.problems.error(
+        use.position, fmt::format("groups are in each other more than {} deep", kMostGroupLevels));
   }
 
   std::string name_of(std::uint32_t group) const {
@@ -119,8 +119,8 @@ void write(Output& output) {
     if (group.shape_count() > 0)
       write_shapes(group, true, fmt::format("[[group.{}.shape]]", key), output);
     else
-      output.text.text += fmt::format("{}[group.{}]\nshape = []\n",
-                                      output.text.text.empty() ? "" : "\n", key);
+      output.text.text +=
+          fmt::format("{}[group.{}]\nshape = []\n", output.text.text.empty() ? "" : "\n", key);
   }
 }
 

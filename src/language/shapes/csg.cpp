@@ -32,10 +32,10 @@ void read_member(const toml::Node& node, std::string_view what, const Place& pla
   const Kind* const kind = kind_of_node(node, kShapeFamily, input.problems);
   if (kind == nullptr) return;
   if (kind->closed) return read_shape(node, place, input);
-  input.problems.error(node.find("kind")->begin,
-                       fmt::format("{} is no closed body, and {} is of such", kind->table.name,
-                                   what),
-                       fmt::format("closed bodies: {}", closed_kinds()));
+  input.problems.error(
+      node.find("kind")->begin,
+      fmt::format("{} is no closed body, and {} is of such", kind->table.name, what),
+      fmt::format("closed bodies: {}", closed_kinds()));
 }
 
 /// Whatever else is wrong with it, members have their own problems.
@@ -50,8 +50,7 @@ void read_csg(const Kind& kind, Item& item) {
   Csg csg{operation, {}};
   const int depth = common_of(item).place.depth + 1;
   const toml::Node* const of = item.node.find("of");
-  if (depth > kMostCsgDepth)
-    return item.complain("of", problem_of_size({.depth = depth}));
+  if (depth > kMostCsgDepth) return item.complain("of", problem_of_size({.depth = depth}));
   if (of != nullptr && of->kind == toml::Node::Kind::array)
     for (const toml::Node& member : of->children)
       if (member.kind == toml::Node::Kind::table)
@@ -71,7 +70,8 @@ constexpr Kind csg_kind(std::string_view name, std::string_view text) {
 
 }  // namespace
 
-constexpr Kind shape::union_ = csg_kind<CsgOperation::unite>("union", "Whatever is in any of them.");
+constexpr Kind shape::union_ =
+    csg_kind<CsgOperation::unite>("union", "Whatever is in any of them.");
 constexpr Kind shape::intersection =
     csg_kind<CsgOperation::intersect>("intersection", "Whatever is in all of them.");
 constexpr Kind shape::difference = csg_kind<CsgOperation::subtract>(

@@ -6,9 +6,10 @@ namespace {
 
 constexpr Field kFields[] = {
     field<&Plane::point>("point", {.text = "a point of it", .unit = Unit::point, .required = true}),
-    field<&Plane::normal>("normal", {.text = "which way it faces; in CSG the half-space is behind it",
-                                     .unit = Unit::direction,
-                                     .required = true}),
+    field<&Plane::normal>("normal",
+                          {.text = "which way it faces; in CSG the half-space is behind it",
+                           .unit = Unit::direction,
+                           .required = true}),
 };
 
 void put(Plane& plane, Item& item) {

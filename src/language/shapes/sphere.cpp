@@ -25,7 +25,9 @@ void put(SphereEntry& s, Item& item) {
   const bool round = keeps_balls(transform_of(item));
   if (common_of(item).place.members == nullptr && round)
     return add_shape(item, Sphere{s.center, s.radius}, s.texture_transform);
-  if (s.texture_transform) return refuse_texture_transform(item, round ? "a member of CSG" : "a sphere that its transform makes an ellipsoid");
+  if (s.texture_transform)
+    return refuse_texture_transform(
+        item, round ? "a member of CSG" : "a sphere that its transform makes an ellipsoid");
   add_shape(item, Ellipsoid{s.center, {s.radius, s.radius, s.radius}});
 }
 

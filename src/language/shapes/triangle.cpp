@@ -24,8 +24,8 @@ constexpr Field kFields[] = {
                     .unit = Unit::direction,
                     .fewest = 3,
                     .most = 3}),
-    field<&TriangleEntry::uvs>(
-        "uvs", {.text = "[u, v] of each corner, else [0, 0], [1, 0] and [0, 1]"}),
+    field<&TriangleEntry::uvs>("uvs",
+                               {.text = "[u, v] of each corner, else [0, 0], [1, 0] and [0, 1]"}),
     texture_transform_field<TriangleEntry>(),
 };
 

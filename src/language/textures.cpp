@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/textures.hpp"
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "language/color.hpp"
+
+namespace zraka::language {
+namespace {
+
+constexpr const Kind* kKinds[] = {
+#define ZRAKA_ADDRESS(kind) &texture::kind,
+    ZRAKA_TEXTURES(ZRAKA_ADDRESS)
+#undef ZRAKA_ADDRESS
+};
+
+void tell_unknown(const toml::Node& node, const Field& field, std::string_view what, Input& input) {
+  std::vector<std::string_view> known;
+  if (!input.problems.enough())
+    for (const auto& [index, name] : input.scene.texture_names) known.push_back(name);
+  std::string hint = input.problems.hint_at(node.text, known, "textures");
+  if (field.kind == FieldKind::color && !hint.starts_with("did you mean")) {
+    const std::string color = hint_at_color(node.text);
+    hint =
+        fmt::format("{}; {}", color.empty() ? "colours are [r, g, b] or \"#rrggbb\"" : color, hint);
+  }
+  input.problems.error(
+      node.begin,
+      fmt::format("unknown texture '{}' for {} of {}", shown(node.text), field.key, what),
+      std::move(hint));
+}
+
+}  // namespace
+
+constexpr Family kTextureFamily = {"texture", "", kKinds, {}};
+
+std::uint32_t add_texture(const toml::Node& node, Input& input) {
+  TextureEntry entry;
+  read_item(node, kTextureFamily, input, &entry);
+  input.scene.textures.push_back(entry ? std::move(*entry) : Texture{});
+  return static_cast<std::uint32_t>(input.scene.textures.size() - 1);
+}
+
+std::optional<std::uint32_t> read_texture(const toml::Node& node, const Field& field,
+                                          std::string_view what, Input& input) {
+  if (node.kind == toml::Node::Kind::table) return add_texture(node, input);
+  if (const auto found = input.textures.find(node.text); found != input.textures.end())
+    return found->second;
+  tell_unknown(node, field, what, input);
+  return std::nullopt;
+}
+
+}  // namespace zraka::language
