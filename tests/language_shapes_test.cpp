@@ -68,14 +68,14 @@ TEST(LanguageTransforms, TurnByAnyAngleRoundAnyAxis) {
 }
 
 TEST(LanguageTransforms, MovePrimitives) {
-  const Scene s = scene_of(
-      kBall + "transform = [{scale = 2}, {rotate = [0, 0, 1], by_deg = 90}]\n" +
-      "[[shape]]\nkind = \"triangle\"\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n"
-      "normals = [[0, 0, 1], [1, 1, 0], [1, 0, 1]]\ntransform = [{scale = [2, 1, 1]}]\n"
-      "[[shape]]\nkind = \"polygon\"\npoints = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n"
-      "transform = [{translate = [0, 0, 5]}]\n"
-      "[[shape]]\nkind = \"cylinder\"\nbase = [0, 0, 0]\ntop = [0, 1, 0]\nradius = 1\n"
-      "caps = false\ntransform = [{scale = -3}]\n");
+  const Scene s =
+      scene_of(kBall + "transform = [{scale = 2}, {rotate = [0, 0, 1], by_deg = 90}]\n" +
+               "[[shape]]\nkind = \"triangle\"\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n"
+               "normals = [[0, 0, 1], [1, 1, 0], [1, 0, 1]]\ntransform = [{scale = [2, 1, 1]}]\n"
+               "[[shape]]\nkind = \"polygon\"\npoints = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n"
+               "transform = [{translate = [0, 0, 5]}]\n"
+               "[[shape]]\nkind = \"cylinder\"\nbase = [0, 0, 0]\ntop = [0, 1, 0]\nradius = 1\n"
+               "caps = false\ntransform = [{scale = -3}]\n");
   ASSERT_EQ(s.spheres.size(), 1u);
   EXPECT_EQ(s.spheres[0].shape.center, (Vec3{-4, 2, 6}));
   EXPECT_EQ(s.spheres[0].shape.radius, 1);
@@ -101,8 +101,7 @@ TEST(LanguageTransforms, MakeEllipsoidsOfSpheresThatAreNotRoundAnyMore) {
 }
 
 TEST(LanguageTransforms, AreSharedWhereTheyAreEqual) {
-  const std::string plane =
-      "[[shape]]\nkind = \"plane\"\npoint = [0, 0, 0]\nnormal = [0, 1, 0]\n";
+  const std::string plane = "[[shape]]\nkind = \"plane\"\npoint = [0, 0, 0]\nnormal = [0, 1, 0]\n";
   const Scene s = scene_of(plane + "transform = [{scale = 2}]\n" + plane +
                            "transform = [{scale = [2, 2, 2]}]\n" + plane +
                            "transform = [{scale = 3}]\n" + plane + "transform = [{scale = 1}]\n");
@@ -120,9 +119,9 @@ TEST(LanguageTransforms, SayWhatIsWrongAtItsPlace) {
   const std::string steps =
       "{scale = …}, {rotate = [x, y, z], by_deg = …}, {translate = [x, y, z]} or "
       "{matrix = [[…], […], […]]}";
-  EXPECT_EQ(first("{scale = 2}"),
-            "s.toml:5:13: error: transform of sphere is {scale = 2}: expected a list of steps: " +
-                steps);
+  EXPECT_EQ(
+      first("{scale = 2}"),
+      "s.toml:5:13: error: transform of sphere is {scale = 2}: expected a list of steps: " + steps);
   EXPECT_EQ(first("[{scale = 2}, 3]"),
             "s.toml:5:27: error: a step of transform of sphere is 3: expected " + steps);
   EXPECT_EQ(first("[{}]"),
@@ -218,7 +217,8 @@ TEST(LanguageCsg, SaysWhatIsWrongWithMembers) {
   EXPECT_EQ(answer_to(head + "of = [\n  {kind = \"polygon\", points = []},\n]\n"),
             "s.toml:4:11: error: polygon is no closed body, and union is of such\n"
             "    {kind = \"polygon\", points = []},\n            ^\n"
-            "  closed bodies: " + closed_kinds() + "\n");
+            "  closed bodies: " +
+                closed_kinds() + "\n");
   EXPECT_EQ(first_answer(head + "of = []\n"),
             "s.toml:3:6: error: of of union is []: expected a list of shapes: [{kind = …}, …], 1 "
             "or more");
@@ -324,8 +324,8 @@ TEST(LanguageGroups, MayBeInEachOtherTo32Levels) {
   const auto chain = [](int count) {
     std::string text;
     for (int i = 0; i < count; ++i)
-      text += fmt::format("[group.g{}]\nshape = [{{kind = \"instance\", of = \"g{}\"}}]\n", i,
-                          i + 1);
+      text +=
+          fmt::format("[group.g{}]\nshape = [{{kind = \"instance\", of = \"g{}\"}}]\n", i, i + 1);
     return text + fmt::format("[group.g{}]\nshape = []\n", count);
   };
   EXPECT_EQ(first_answer(chain(31)), "");
@@ -340,18 +340,21 @@ TEST(LanguageShapes, AreWrittenSoThatTheyReadAsTheEqualScene) {
   const std::string turn = "transform = [{rotate = [1, 2, 3], by_deg = 40}, {scale = 2}]\n";
   expect_rewritten(
       "[material.cut]\n[group.\"a b\"]\nshape = []\n" + kBall + "transform = [{scale = 2}]\n" +
-      kBall + "texture_transform = [{translate = [-0.0, 1, 2]}]\n" + turn +
-      kBall + "transform = [{scale = [1, 2, 3]}]\nname = \"egg\"\n"
-      "[[shape]]\nkind = \"ellipsoid\"\ncenter = [0, 0, 1]\nradii = [1, 2, 3]\n" + turn +
+      kBall + "texture_transform = [{translate = [-0.0, 1, 2]}]\n" + turn + kBall +
+      "transform = [{scale = [1, 2, 3]}]\nname = \"egg\"\n"
+      "[[shape]]\nkind = \"ellipsoid\"\ncenter = [0, 0, 1]\nradii = [1, 2, 3]\n" +
+      turn +
       "[[shape]]\nkind = \"plane\"\npoint = [0, 0, 0]\nnormal = [0, 1, 0]\n"
-      "[[shape]]\nkind = \"triangle\"\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n" + turn +
+      "[[shape]]\nkind = \"triangle\"\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n" +
+      turn +
       "[[shape]]\nkind = \"triangle\"\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n"
       "uvs = [[0, 0.1], [0.3, 0.7], [1e-30, 16777217]]\n"
       "[[shape]]\nkind = \"triangle\"\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n"
-      "normals = [[0, 0, 1], [1, 1, 0], [1, 0, 1]]\nuvs = [[0, 0], [1, 0], [1, 1]]\n" + turn +
+      "normals = [[0, 0, 1], [1, 1, 0], [1, 0, 1]]\nuvs = [[0, 0], [1, 0], [1, 1]]\n" +
+      turn +
       "[[shape]]\nkind = \"cone\"\nbase = [0, 0, 0]\ntop = [0, 1, 0]\nbase_radius = 2\n"
-      "caps = false\n" + turn +
-      "[[shape]]\nkind = \"difference\"\n" + turn + "of = [\n" + kMembers +
+      "caps = false\n" +
+      turn + "[[shape]]\nkind = \"difference\"\n" + turn + "of = [\n" + kMembers +
       "  {kind = \"union\", transform = [{scale = 2}], material = \"default\", of = [\n"
       "    {kind = \"ellipsoid\", center = [0, 0, 0], radii = [1, 2, 3]}]},\n]\n"
       "[[group.c.shape]]\nkind = \"instance\"\nof = \"a b\"\nmaterial = \"default\"\n"

@@ -318,26 +318,27 @@ TEST(LanguageTables, ExplainEveryKeyword) {
     const FieldFacts facts = facts_of(field, table);
     EXPECT_NE(text.find(facts.meaning.substr(0, 20)), std::string::npos) << text;
   });
-  EXPECT_EQ(help_on("sphere").value_or(""),
-            "sphere: A sphere.\n\n"
-            "  [[shape]]\n"
-            "  kind = \"sphere\"\n"
-            "  center             its centre: [x, y, z], finite numbers; required\n"
-            "  radius             its radius: a number greater than 0, in scene units; required\n"
-            "  texture_transform  where its textures and uv are moved to before the shape is: a list "
-            "of\n"
-            "                     steps: {scale = …}, {rotate = [x, y, z], by_deg = …}, {translate = "
-            "[x, y,\n"
-            "                     z]} or {matrix = [[…], […], […]]}\n"
-            "  material   its material; what names none has the material default, or, as a part of a "
-            "group or\n"
-            "             of CSG, that of the whole: the name of a material, in quotes\n"
-            "  name       what explain and influence call it: a text in quotes\n"
-            "  transform  where it is moved to, and how it is turned and scaled: a list of steps: "
-            "{scale =\n"
-            "             …}, {rotate = [x, y, z], by_deg = …}, {translate = [x, y, z]} or {matrix = "
-            "[[…],\n"
-            "             […], […]]}\n");
+  EXPECT_EQ(
+      help_on("sphere").value_or(""),
+      "sphere: A sphere.\n\n"
+      "  [[shape]]\n"
+      "  kind = \"sphere\"\n"
+      "  center             its centre: [x, y, z], finite numbers; required\n"
+      "  radius             its radius: a number greater than 0, in scene units; required\n"
+      "  texture_transform  where its textures and uv are moved to before the shape is: a list "
+      "of\n"
+      "                     steps: {scale = …}, {rotate = [x, y, z], by_deg = …}, {translate = "
+      "[x, y,\n"
+      "                     z]} or {matrix = [[…], […], […]]}\n"
+      "  material   its material; what names none has the material default, or, as a part of a "
+      "group or\n"
+      "             of CSG, that of the whole: the name of a material, in quotes\n"
+      "  name       what explain and influence call it: a text in quotes\n"
+      "  transform  where it is moved to, and how it is turned and scaled: a list of steps: "
+      "{scale =\n"
+      "             …}, {rotate = [x, y, z], by_deg = …}, {translate = [x, y, z]} or {matrix = "
+      "[[…],\n"
+      "             […], […]]}\n");
   EXPECT_EQ(help_on("shpere"), std::nullopt);
 }
 

@@ -34,7 +34,7 @@ std::optional<std::string> path_of(const toml::Node& node, std::string_view what
     return std::nullopt;
   };
   if (node.text.empty() || node.text.find('\0') != std::string_view::npos)
-    return refuse("is no name of a file", "");
+    return refuse("no file is called so", "");
   if (!input.options.folder)
     return refuse("is a file, but this scene comes from none, and reads none", "");
   const fs::path folder = input.options.folder->empty() ? "." : *input.options.folder;

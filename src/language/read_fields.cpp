@@ -96,7 +96,9 @@ FieldValue read_value(const toml::Node& node, const Field& field, std::string_vi
   FieldValue value = value_as(field.kind, node);
   if (value.index() != 0 && allowed(field, value)) return value;
   const bool may_be_texture = field.about.textured || field.kind == FieldKind::texture;
-  if (may_be_texture && (node.kind == Kind::text || node.kind == Kind::table)) {
+  const bool no_color = field.kind == FieldKind::color && node.kind == Kind::text &&
+                        node.text.starts_with('#') && !input.textures.contains(node.text);
+  if (may_be_texture && !no_color && (node.kind == Kind::text || node.kind == Kind::table)) {
     const std::optional<std::uint32_t> texture = read_texture(node, field, what, input);
     return texture ? FieldValue(TextureIndex{*texture}) : FieldValue();
   }
