@@ -29,7 +29,7 @@ inline void expect_equal(const Scene& a, const Scene& b) {
     EXPECT_TRUE(same_bits(a.lights[i], b.lights[i])) << "light " << i;
   ASSERT_EQ(a.materials.size(), b.materials.size());
   for (std::size_t i = 0; i < a.materials.size(); ++i)
-    EXPECT_TRUE(same_bits(a.materials[i], b.materials[i])) << "material " << i;
+    EXPECT_EQ(a.materials[i], b.materials[i]) << "material " << i;
   const auto compare = [](const auto& left, const auto& right) {
     ASSERT_EQ(left.size(), right.size());
     for (std::size_t i = 0; i < left.size(); ++i) {
@@ -38,7 +38,7 @@ inline void expect_equal(const Scene& a, const Scene& b) {
     }
   };
 #define ZRAKA_COMPARE(Type, plural) compare(a.plural, b.plural);
-  ZRAKA_SHAPES(ZRAKA_COMPARE)
+  ZRAKA_PRIMITIVES(ZRAKA_COMPARE)
 #undef ZRAKA_COMPARE
   EXPECT_EQ(a.names, b.names);
   EXPECT_EQ(a.defaults, b.defaults);
