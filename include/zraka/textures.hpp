@@ -11,40 +11,55 @@
 #include <zraka/image.hpp>
 #include <zraka/values.hpp>
 
+/// X(kind): every kind of texture; what it does stands in src/textures/KIND.cpp.
+#define ZRAKA_TEXTURES(X) \
+  X(checker)              \
+  X(stripes)              \
+  X(gradient)             \
+  X(rings)                \
+  X(marble)               \
+  X(wood)                 \
+  X(noise)                \
+  X(image)
+
 namespace zraka {
 
-enum class TextureKind : std::uint8_t {
-  checker,
-  stripes,
-  gradient,
-  rings,
-  marble,
-  wood,
-  noise,
-  image
-};
+#define ZRAKA_ENUMERATE(kind) kind,
+enum class TextureKind : std::uint8_t { ZRAKA_TEXTURES(ZRAKA_ENUMERATE) };
+#undef ZRAKA_ENUMERATE
 
-/// Where a texture is looked up: at the point in space, or at the surface's u and v.
+/// Where a texture is looked up: at the point in space, or at the surface's u and v. Of an image in
+/// space x and y are taken for u and v, of others over a surface u and v for x and y.
 enum class TextureMapping : std::uint8_t { solid, uv };
+/// What is beyond the end of an image or a gradient: it once more, its edge, or its mirror image.
 enum class TextureWrap : std::uint8_t { repeat, clamp, mirror };
+/// How an image is looked up: the texel, what lies between the four around, or the mean over what a
+/// pixel sees, from the image in smaller and smaller sizes.
 enum class TextureFilter : std::uint8_t { nearest, bilinear, mip };
 
-/// One texture; each kind uses what it needs of it.
+/// One texture; each kind uses what it needs of it. Colours of one kind take turns from the first
+/// on, a checker has the first two.
 struct Texture {
   TextureKind kind = TextureKind::checker;
   TextureMapping mapping = TextureMapping::solid;
   /// From the texture's space to that of the shape, or to u and v.
   Transform transform;
-  std::vector<Color> colors{{1, 1, 1}, {0, 0, 0}};  ///< two or more; evenly along a gradient
-  double size = 1;          ///< a checker's side, a stripe's width, a ring's, a noise's grain
-  Vec3 direction{1, 0, 0};  ///< across stripes, along a gradient, a log's axis
-  double turbulence = 0;    ///< how much noise bends marble, wood and rings, in sizes
-  int octaves = 4;          ///< of noise
-  std::uint32_t seed = 0;   ///< of noise
-  std::string file;         ///< of an image, as it was written
-  std::shared_ptr<const Image> image;  ///< linear
-  TextureWrap wrap = TextureWrap::repeat;
-  TextureFilter filter = TextureFilter::mip;
+  std::vector<Color> colors{{1, 1, 1}, {0, 0, 0}};  ///< of all kinds but image; two or more
+  /// Greater than 0: a checker's side, the width of a stripe or a ring, also of marble and wood,
+  /// the length of a gradient, the grain of noise.
+  double size = 1;
+  /// Of any length but 0: across stripes and marble, along a gradient, the axis of rings and wood.
+  Vec3 direction{1, 0, 0};
+  double turbulence = 0;   ///< how far noise bends marble, wood and rings, in sizes
+  int octaves = 4;         ///< of noise and turbulence, 1 or more: each has half the grain before
+  std::uint32_t seed = 0;  ///< of noise and turbulence
+  std::string file;        ///< of an image, as it was written
+  /// Linear light; the first row is at v = 1, the left edge at u = 0. None: black.
+  std::shared_ptr<const Image> image;
+  /// How light became the numbers of an image of 8 or 16 bits; linear for a map of normals.
+  Transfer transfer = Transfer::srgb;
+  TextureWrap wrap = TextureWrap::repeat;     ///< of images and gradients
+  TextureFilter filter = TextureFilter::mip;  ///< of images
 };
 
 /// A quantity of a material that a texture may give.
