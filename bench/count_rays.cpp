@@ -126,9 +126,9 @@ bool meet(const Cone& s, const Ray& ray, double t_min, Hit& hit) {
 Hit nearest_hit(const Scene& scene, const Ray& ray, double t_min) {
   Hit hit;
 #define ZRAKA_INTERSECT(Type, plural)                \
-  for (const auto& [shape, material] : scene.plural) \
+  for (const auto& [shape, material, transform] : scene.plural) \
     if (meet(shape, ray, t_min, hit)) hit.material = material;
-  ZRAKA_SHAPES(ZRAKA_INTERSECT)
+  ZRAKA_PRIMITIVES(ZRAKA_INTERSECT)
 #undef ZRAKA_INTERSECT
   return hit;
 }
@@ -139,7 +139,7 @@ bool is_blocked(const Scene& scene, const Ray& shadow_ray, double t_min, double 
 #define ZRAKA_INTERSECT(Type, plural)     \
   for (const auto& object : scene.plural) \
     if (meet(object.shape, shadow_ray, t_min, hit)) return true;
-  ZRAKA_SHAPES(ZRAKA_INTERSECT)
+  ZRAKA_PRIMITIVES(ZRAKA_INTERSECT)
 #undef ZRAKA_INTERSECT
   return false;
 }

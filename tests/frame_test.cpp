@@ -190,7 +190,7 @@ TEST(Frame, StaysOnTheMedianOfShapesThatAreSeenFromAmongThem) {
       }
     };
 #define ZRAKA_ADD(Type, plural) add(named.scene.plural);
-    ZRAKA_SHAPES(ZRAKA_ADD)
+    ZRAKA_PRIMITIVES(ZRAKA_ADD)
 #undef ZRAKA_ADD
     std::sort(x.begin(), x.end());
     EXPECT_EQ(frame_of(named.scene).center.x, x[x.size() / 2]) << named.name;

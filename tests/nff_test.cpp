@@ -48,13 +48,13 @@ std::string told(const Result<ReadScene>& read) {
   const auto add = [&](const Vec3& v) { all += fmt::format("{} {} {} ", v.x, v.y, v.z); };
   for (const Material& m : s.materials)
     all += fmt::format("{} {} {}\n", m.diffuse.r, m.refraction, m.ior);
-  for (const auto& [shape, material] : s.spheres)
+  for (const auto& [shape, material, transform] : s.spheres)
     add(shape.center), all += fmt::format("{} {}\n", shape.radius, material);
-  for (const auto& [shape, material] : s.cones)
+  for (const auto& [shape, material, transform] : s.cones)
     add(shape.base), add(shape.apex), all += fmt::format("{}\n", material);
-  for (const auto& [shape, material] : s.triangles)
+  for (const auto& [shape, material, transform] : s.triangles)
     add(shape.a), add(shape.b), add(shape.c), all += fmt::format("{}\n", material);
-  for (const auto& [shape, material] : s.smooth_triangles)
+  for (const auto& [shape, material, transform] : s.smooth_triangles)
     add(shape.a), add(shape.normal_c), all += fmt::format("{}\n", material);
   for (const PointLight& l : s.lights) add(l.position), all += fmt::format("{}\n", l.color.g);
   return all;

@@ -207,7 +207,7 @@ void add_intersections(const Probe& probe) {
                                [probe, hits](benchmark::State& s) {                        \
                                  time_intersect<Type>(s, probe, kKindOf##Type, hits);      \
                                });
-    ZRAKA_KINDS(ZRAKA_TIME)
+    ZRAKA_INLINED_KINDS(ZRAKA_TIME)
 #undef ZRAKA_TIME
   }
 }

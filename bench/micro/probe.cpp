@@ -101,7 +101,7 @@ micro::Probe probe();
 micro::Probe probe() {
   micro::Probe probe;
 #define ZRAKA_INTERSECT(Type, plural) probe.intersect[kKindOf##Type] = intersect<Type>;
-  ZRAKA_KINDS(ZRAKA_INTERSECT)
+  ZRAKA_INLINED_KINDS(ZRAKA_INTERSECT)
 #undef ZRAKA_INTERSECT
   probe.nearest = nearest;
   probe.blocked = blocked;

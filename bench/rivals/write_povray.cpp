@@ -77,9 +77,9 @@ std::string translate(const Scene& scene) {
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
     out.add("#macro M{}() {} #end\n", i, texture(scene.materials[i]));
 
-  for (const auto& [s, material] : scene.spheres)
+  for (const auto& [s, material, transform] : scene.spheres)
     out.add("sphere {{ {}, {:.9g} M{}() }}\n", vector(s.center), s.radius, material);
-  for (const auto& [s, material] : scene.cones)
+  for (const auto& [s, material, transform] : scene.cones)
     out.add("cone {{ {}, {:.9g}, {}, {:.9g} open M{}() }}\n", vector(s.base), s.base_radius,
             vector(s.apex), s.apex_radius, material);
   add_meshes(

@@ -64,22 +64,22 @@ std::string translate(const Scene& scene) {
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
     add_material(scene.materials[i], mean(scene.ambient_light), i, out);
 
-  for (const auto& [s, material] : scene.spheres) {
+  for (const auto& [s, material, transform] : scene.spheres) {
     add_point("SPHERE CENTER", s.center, out);
     out.add("RAD {:.9g} m{}\n", s.radius, material);
   }
-  for (const auto& [s, material] : scene.triangles) {
+  for (const auto& [s, material, transform] : scene.triangles) {
     add_point("TRI V0", s.a, out), add_point("V1", s.b, out), add_point("V2", s.c, out);
     out.add("m{}\n", material);
   }
-  for (const auto& [s, material] : scene.smooth_triangles) {
+  for (const auto& [s, material, transform] : scene.smooth_triangles) {
     // The mirrored corners go round the other way, which says where outside is.
     add_point("STRI V0", s.a, out), add_point("V1", s.c, out), add_point("V2", s.b, out);
     add_point("N0", s.normal_a, out), add_point("N1", s.normal_c, out);
     add_point("N2", s.normal_b, out);
     out.add("m{}\n", material);
   }
-  for (const auto& [s, material] : scene.cones) {
+  for (const auto& [s, material, transform] : scene.cones) {
     add_point("FCYLINDER BASE", s.base, out), add_point("APEX", s.apex, out);
     out.add("RAD {:.9g} m{}\n", (s.base_radius + s.apex_radius) / 2, material);
   }

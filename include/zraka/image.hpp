@@ -51,16 +51,17 @@ struct ReadImage {
   /// Integers divided by their largest value, no curve undone: nothing in such a file says reliably
   /// whether they went through one. Floats as they are, with their infinities and NaNs.
   Image image;
-  std::string format;   ///< "PNG", "JPEG", "PPM", "PGM", "PFM" or "OpenEXR"
+  std::string format;   ///< "PNG", "JPEG", "PPM", "PGM", "PFM", "Radiance HDR" or "OpenEXR"
   int bits = 8;         ///< of a stored value: 8 or 16 (fewer count as 8), or those of a float
   bool floats = false;  ///< linear light, not bounded by 1
   bool alpha = false;   ///< a PNG with pixels that are not opaque
 };
 
 /// Reads a picture that its first bytes, not its name, tell to be a PNG, a JPEG, a PPM or PGM
-/// (text or binary, up to 16 bits), a PFM or an OpenEXR (docs/compare.md). "-" is standard input.
-/// Fails where the file is cut off, damaged or of another kind, or has more than `max_pixels`
-/// pixels; a file's word about its size is not trusted with memory before it was checked.
+/// (text or binary, up to 16 bits), a PFM, a Radiance HDR or an OpenEXR (docs/compare.md). "-" is
+/// standard input. Fails where the file is cut off, damaged or of another kind, or has more than
+/// `max_pixels` pixels; a file's word about its size is not trusted with memory before it was
+/// checked.
 Result<ReadImage> read_image(const std::string& path, std::uint64_t max_pixels = kMaxPixels);
 
 /// The same for a file in memory; `name` is for the messages.

@@ -56,6 +56,8 @@ struct Texture {
   std::string file;        ///< of an image, as it was written
   /// Linear light; the first row is at v = 1, the left edge at u = 0. None: black.
   std::shared_ptr<const Image> image;
+  /// How light became the numbers of an image of 8 or 16 bits; linear for a map of normals.
+  Transfer transfer = Transfer::srgb;
   TextureWrap wrap = TextureWrap::repeat;     ///< of images and gradients
   TextureFilter filter = TextureFilter::mip;  ///< of images
 };

@@ -24,6 +24,8 @@ constexpr std::array kImageFormats = {
     ImageFormat{"P6", parse_pnm},
     ImageFormat{"PF", parse_pfm},
     ImageFormat{"Pf", parse_pfm},
+    ImageFormat{"#?RADIANCE", parse_hdr},
+    ImageFormat{"#?RGBE", parse_hdr},
     ImageFormat{"\x76\x2F\x31\x01", parse_exr},
 };
 
@@ -39,7 +41,6 @@ constexpr std::array kOtherFormats = {
     OtherFormat{{"MM\0*", 4}, "a TIFF"},
     OtherFormat{"%PDF", "a PDF"},
     OtherFormat{"PK\x03\x04", "a zip archive"},
-    OtherFormat{"#?RADIANCE", "a Radiance HDR picture"},
     OtherFormat{"P1", "a PBM"},
     OtherFormat{"P4", "a PBM"},
     OtherFormat{"P7", "a PAM"},

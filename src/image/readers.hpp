@@ -26,6 +26,9 @@ Result<ReadImage> parse_jpeg(const ImageFile& file);
 Result<ReadImage> parse_pnm(const ImageFile& file);
 /// PFM, colour (PF) and grey (Pf).
 Result<ReadImage> parse_pfm(const ImageFile& file);
+/// Radiance's RGBE, in any order of lines, with runs of either kind or none; an exposure that the
+/// header notes is not undone.
+Result<ReadImage> parse_hdr(const ImageFile& file);
 /// By OpenEXRCore: one part of scan lines or tiles with R, G and B, or Y alone; the display window,
 /// black where the file has no pixels.
 Result<ReadImage> parse_exr(const ImageFile& file);

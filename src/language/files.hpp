@@ -12,14 +12,14 @@
 
 namespace zraka::language {
 
-/// The path of the file that a node of `what` names; none, and the problem told, where it leaves
-/// the scene's folder and must not, or there is no folder.
+/// The path of the file that a node of `what` names; none, and the problem told, where it leaves the
+/// scene's folder and must not, or there is no folder.
 std::optional<std::string> path_of(const toml::Node& node, std::string_view what, Input& input);
 
 /// The picture that a node names, in linear light; nullptr, and the problem told, if it cannot be
-/// read. One file is read once.
+/// read.
 std::shared_ptr<const Image> read_picture(const toml::Node& node, std::string_view what,
-                                          Input& input);
+                                          Transfer transfer, Input& input);
 
 /// Tells the problems of reading a file at the node that names it.
 void tell(const Diagnostics& problems, const toml::Node& node, std::string_view what, Input& input);

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +15,8 @@
 #include <zraka/scene.hpp>
 
 #include "core/fields.hpp"
+#include "core/scene_folder.hpp"
+#include "image/scene_images.hpp"
 #include "language/fields.hpp"
 
 namespace zraka::language {
@@ -39,7 +40,9 @@ struct Input {
   const ReadOptions& options;
   Names materials{}, textures{}, groups{};
   std::map<TransformBits, std::uint32_t> transforms{};  ///< Object::transform by what it is
-  std::map<std::string, std::shared_ptr<const Image>> pictures{};  ///< by path
+  SceneImages images{SceneFolder{options.folder.value_or(""), options.allow_outside}};
+  /// Textures of pictures that do not say how light became numbers, and the nodes of their files.
+  std::map<std::uint32_t, const toml::Node*> open_transfers{};
   std::vector<GroupUse> group_uses{};
 };
 

@@ -30,6 +30,10 @@ std::uint32_t add_texture(const toml::Node& node, Input& input);
 std::optional<std::uint32_t> read_texture(const toml::Node& node, const Field& field,
                                           std::string_view what, Input& input);
 
+/// Pictures of normals are no colours: where the file does not say how light became their numbers,
+/// the numbers are taken as they are.
+void make_normal_maps_linear(Input& input);
+
 inline void as_it_is(Texture&) {}
 inline void nothing_more(Texture&, Item&) {}
 

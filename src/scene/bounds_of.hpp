@@ -26,6 +26,13 @@ double least_stretch(const Transform& inverse);
 /// Whether it maps balls to balls.
 bool keeps_balls(const Transform& transform);
 
+/// Whether bounds of a shape of this kind are; those of primitives always are.
+template <class Shape>
+bool has_bounds(const Bounds& box) {
+  if constexpr (is_body<Shape>) return box.bounded();
+  return true;
+}
+
 /// Bounds and distances of shapes in the world, or in the space of the group that they are in.
 class Whereabouts {
  public:

@@ -69,7 +69,7 @@ void check_objects(const Scene& scene, const Whereabouts& where,
     Extent part;
     for (std::size_t i = begin; i < end; ++i) {
       const Bounds box = where.bounds(objects[i]);
-      if (!box.bounded()) {
+      if (!has_bounds<Shape>(box)) {
         good = good && objects[i].material < scene.materials.size();
         continue;
       }
@@ -88,7 +88,8 @@ void check_objects(const Scene& scene, const Whereabouts& where,
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (const char* problem = problem_with(objects[i].shape))
       complain(fmt::format("{} {}: {}", Traits::kName, i + 1, problem));
-    if (const Bounds box = where.bounds(objects[i]); box.bounded() && !(farthest(box) <= kFarthest))
+    if (const Bounds box = where.bounds(objects[i]);
+        has_bounds<Shape>(box) && !(farthest(box) <= kFarthest))
       complain(fmt::format("{} {}: it reaches farther than {} from the origin", Traits::kName,
                            i + 1, kFarthest));
     if (objects[i].material >= scene.materials.size())
@@ -131,7 +132,7 @@ void check_floats(const Scene& scene, const Extent& extent, const auto& complain
     using Traits = ShapeTraits<Shape>;
     for (std::size_t i = 0; i < objects.size(); ++i) {
       const Bounds box = where.bounds(objects[i]);
-      if (!box.bounded()) continue;
+      if (!has_bounds<Shape>(box)) continue;
       const double reach = std::max(reach_of(box.lower), reach_of(box.upper));
       constexpr bool kRound = std::is_same_v<Shape, Sphere>;
       const bool too_far = reach > (kRound ? kFar : kFarCorner) ||
@@ -193,8 +194,7 @@ Diagnostics check(const Scene& scene) {
     complain(fmt::format("{} materials and {} lights are too many: at most {} of each fit",
                          scene.materials.size(), scene.lights.size(), kMostMaterials));
   Extent extent;
-  check_references(scene, complain);
-  if (!found.empty()) return found;
+  if (!check_references(scene, complain)) return found;
   const Whereabouts where(scene);
 #define ZRAKA_CHECK(Type, plural) check_objects(scene, where, scene.plural, extent, complain);
   ZRAKA_SHAPES(ZRAKA_CHECK)

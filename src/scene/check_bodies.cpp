@@ -23,21 +23,27 @@ bool all_finite(const Transform& t) {
 
 class Checker {
  public:
-  Checker(const Scene& scene, const Complain& complain) : scene_(scene), complain_(complain) {}
+  Checker(const Scene& scene, const Complain& complain) : scene_(scene), tell_(complain) {}
 
-  void check() {
+  bool check() {
     for (std::size_t i = 0; i < scene_.transforms.size(); ++i)
       if (const std::string problem = problem_of(scene_.transforms[i]); !problem.empty())
-        complain_(fmt::format("transform {}: {}", i + 1, problem), "");
+        complain(fmt::format("transform {}: {}", i + 1, problem));
     check_lists(scene_, "", false);
     for (std::size_t i = 0; i < scene_.groups.size(); ++i)
       check_lists(scene_.groups[i], fmt::format(" of group {}", i + 1), true);
     if (!cyclic_) check_levels();
     for (std::size_t i = 0; i < scene_.textures.size(); ++i) check(scene_.textures[i], i);
     for (std::size_t i = 0; i < scene_.materials.size(); ++i) check(scene_.materials[i], i);
+    return good_;
   }
 
  private:
+  void complain(std::string message, std::string hint = {}) {
+    good_ = false;
+    tell_(std::move(message), std::move(hint));
+  }
+
   void check_lists(const ShapeLists& shapes, const std::string& of, bool parts) {
 #define ZRAKA_CHECK(Type, plural) \
   for (std::size_t i = 0; i < shapes.plural.size(); ++i) check(shapes.plural[i], i, of, parts);
@@ -50,48 +56,46 @@ class Checker {
   void check_uvs(const std::vector<CornerUvs>& uvs, std::size_t triangles, std::string_view what,
                  const std::string& of) {
     if (!uvs.empty() && uvs.size() != triangles)
-      complain_(
+      complain(
           fmt::format("{} {}{} have texture coordinates for {}", triangles, what, of, uvs.size()),
           "expected none, or as many");
     for (std::size_t i = 0; i < uvs.size(); ++i)
       for (const auto& [u, v] : uvs[i])
         if (!std::isfinite(u) || !std::isfinite(v))
-          return complain_(
-              fmt::format("texture coordinates of {} {}{} are not finite", what, i + 1, of), "");
+          return complain(
+              fmt::format("texture coordinates of {} {}{} are not finite", what, i + 1, of));
   }
 
   template <class Shape>
   void check(const Object<Shape>& object, std::size_t index, const std::string& of, bool part) {
-    const auto complain = [&](const std::string& problem) {
-      complain_(fmt::format("{} {}{}: {}", ShapeTraits<Shape>::kName, index + 1, of, problem), "");
+    const auto tell = [&](const std::string& problem) {
+      complain(fmt::format("{} {}{}: {}", ShapeTraits<Shape>::kName, index + 1, of, problem));
     };
     if (const std::string problem = problem_of_places(object.material, object.transform, part);
         !problem.empty())
-      complain(problem);
+      tell(problem);
     if constexpr (std::is_same_v<Shape, Instance>) {
       if (object.shape.group >= scene_.groups.size()) {
         cyclic_ = true;  // or worse
-        complain(fmt::format("it is of group {}, but there are {}", object.shape.group,
+        tell(fmt::format("it is of group {}, but there are {}", object.shape.group,
                              scene_.groups.size()));
       }
     }
     if constexpr (std::is_same_v<Shape, Csg>) {
       if (const std::string problem = problem_of_members(object.shape, 1); !problem.empty())
-        complain(problem);
+        tell(problem);
       else if (const std::string size = problem_of_size(size_of(object.shape)); !size.empty())
-        complain(size);
+        tell(size);
     } else if constexpr (!std::is_same_v<Shape, Instance>) {
       if (part)  // those of the scene itself are looked at with their bounds
-        if (const char* const problem = ShapeTraits<Shape>::check(object.shape)) complain(problem);
+        if (const char* const problem = ShapeTraits<Shape>::check(object.shape)) tell(problem);
     }
   }
 
   std::string problem_of_places(std::uint32_t material, std::uint32_t transform, bool part) const {
-    if (material >= scene_.materials.size() && !(part && material == kMaterialOfWhole))
-      return material == kMaterialOfWhole
-                 ? "it has the material of the whole, but is no part of anything"
-                 : fmt::format("it has material {}, but there are {}", material,
-                               scene_.materials.size());
+    if (part && material >= scene_.materials.size() && material != kMaterialOfWhole)
+      return fmt::format("it has material {}, but there are {}", material,
+                         scene_.materials.size());
     if (transform > scene_.transforms.size())
       return fmt::format("it has transform {}, but there are {}", transform,
                          scene_.transforms.size());
@@ -149,43 +153,43 @@ class Checker {
         if (--waits[outer] == 0) ready.push_back(outer);
       }
     for (std::size_t i = 0; i < count; ++i) {
-      if (waits[i] > 0) return complain_(fmt::format("group {} has itself in it", i + 1), "");
+      if (waits[i] > 0) return complain(fmt::format("group {} has itself in it", i + 1));
       if (levels[i] > kMostGroupLevels)
-        return complain_(fmt::format("group {} has groups in it {} deep: at most {} fit", i + 1,
+        return complain(fmt::format("group {} has groups in it {} deep: at most {} fit", i + 1,
                                      levels[i], kMostGroupLevels),
                          "");
     }
   }
 
   void check(const Texture& texture, std::size_t index) {
-    const auto complain = [&](const std::string& problem) {
-      complain_(fmt::format("texture {}: {}", index + 1, problem), "");
+    const auto tell = [&](const std::string& problem) {
+      complain(fmt::format("texture {}: {}", index + 1, problem));
     };
     if (const std::string problem = problem_of(texture.transform); !problem.empty())
-      complain(fmt::format("its transform: {}", problem));
+      tell(fmt::format("its transform: {}", problem));
     if (texture.kind == TextureKind::image) {
-      if (texture.image == nullptr) complain("it has no picture");
+      if (texture.image == nullptr) tell("it has no picture");
       return;
     }
-    if (texture.colors.size() < 2) complain("it has fewer than two colours");
+    if (texture.colors.size() < 2) tell("it has fewer than two colours");
     for (const Color& c : texture.colors)
       if (!std::isfinite(c.r) || !std::isfinite(c.g) || !std::isfinite(c.b))
-        return complain("a colour is not finite");
+        return tell("a colour is not finite");
     if (!std::isfinite(texture.size) || !(texture.size > 0))
-      complain("its size is no finite number above 0");
+      tell("its size is no finite number above 0");
     const Vec3& d = texture.direction;
     if (!std::isfinite(d.x) || !std::isfinite(d.y) || !std::isfinite(d.z) || d == Vec3{})
-      complain("its direction is 0, or not finite");
+      tell("its direction is 0, or not finite");
     if (!std::isfinite(texture.turbulence) || texture.turbulence < 0)
-      complain("its turbulence is no finite number of 0 or more");
+      tell("its turbulence is no finite number of 0 or more");
     if (texture.octaves < 1 || texture.octaves > kMostOctaves)
-      complain(fmt::format("its octaves are none from 1 to {}", kMostOctaves));
+      tell(fmt::format("its octaves are none from 1 to {}", kMostOctaves));
   }
 
   void check(const Material& material, std::size_t index) {
     const auto in_range = [&](std::uint32_t texture) {
       if (texture >= scene_.textures.size())
-        complain_(fmt::format("material {} has texture {}, but there are {}", index + 1, texture,
+        complain(fmt::format("material {} has texture {}, but there are {}", index + 1, texture,
                               scene_.textures.size()),
                   "");
     };
@@ -193,11 +197,12 @@ class Checker {
     if (material.normals.kind == NormalUse::Kind::none) return;
     in_range(material.normals.texture);
     if (!std::isfinite(material.normals.height))
-      complain_(fmt::format("material {}: how high its bumps are is not finite", index + 1), "");
+      complain(fmt::format("material {}: how high its bumps are is not finite", index + 1));
   }
 
   const Scene& scene_;
-  const Complain& complain_;
+  const Complain& tell_;
+  bool good_ = true;
   bool cyclic_ = false;
 };
 
@@ -208,8 +213,8 @@ std::string problem_of(const Transform& transform) {
   return inverse(transform) ? "" : "it makes all that it moves flat";
 }
 
-void check_references(const Scene& scene, const Complain& complain) {
-  Checker(scene, complain).check();
+bool check_references(const Scene& scene, const Complain& complain) {
+  return Checker(scene, complain).check();
 }
 
 }  // namespace zraka

@@ -15,10 +15,11 @@ inline constexpr int kMostGroupLevels = 32;
 /// Of noise: the last of so many has a grain that no double tells from a point.
 inline constexpr int kMostOctaves = 32;
 
-/// Tells each problem, in few words or none where there are none. Whatever walks over transforms,
-/// groups and members needs a scene that this finds nothing wrong with.
 using Complain = std::function<void(std::string message, std::string hint)>;
-void check_references(const Scene& scene, const Complain& complain);
+/// Tells each problem; false if there is any. Whatever walks over transforms, groups and members
+/// needs a scene that this finds nothing wrong with. What is wrong with the scene's own shapes by
+/// themselves, and with their materials, is not looked at here.
+bool check_references(const Scene& scene, const Complain& complain);
 
 /// "" where all is well with a transform.
 std::string problem_of(const Transform& transform);

@@ -90,7 +90,7 @@ void each_sample(const ShapeLists& shapes, const Whereabouts& where, const Funct
   std::uint64_t index = 0;  // over all kinds
 #define ZRAKA_LOOK(Type, plural)                                     \
   for (; index < shapes.plural.size(); index += step)                \
-    if (const Bounds box = where.bounds(shapes.plural[index]); box.bounded()) function(box); \
+    if (const Bounds box = where.bounds(shapes.plural[index]); has_bounds<Type>(box)) function(box); \
   index -= shapes.plural.size();
   ZRAKA_SHAPES(ZRAKA_LOOK)
 #undef ZRAKA_LOOK
@@ -127,7 +127,7 @@ Survey survey(const Scene& scene, const Whereabouts& where, const View& view) {
   const auto include = [&]<class Shape>(const std::vector<Object<Shape>>& objects) {
     const auto more = [&](Survey& sum, const Object<Shape>& object) {
       const Bounds box = where.bounds(object);
-      if (box.bounded()) sum.bounds.include(box);
+      if (has_bounds<Shape>(box)) sum.bounds.include(box);
       // Mostly one coordinate is enough to see that it is farther off.
       const double gap =
           std::max({box.lower.x - view.eye.x, view.eye.x - box.upper.x, box.lower.y - view.eye.y,

@@ -57,7 +57,7 @@ void add_materials(const std::vector<Object<Shape>>& objects, Geometry geometry,
 
 void add_spheres(const Scene& scene, Spheres how, World& world) {
   world.spheres.reserve(scene.spheres.size());
-  for (const auto& [s, material] : scene.spheres)
+  for (const auto& [s, material, transform] : scene.spheres)
     world.spheres.push_back({narrow(s.center), static_cast<float>(s.radius)});
   if (world.spheres.empty()) return;
   if (how == Spheres::callbacks)
@@ -79,7 +79,7 @@ void add_triangles(const std::vector<Object<Shape>>& objects, Geometry id, World
   auto* index =
       new_buffer<unsigned>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, 12, objects.size());
   unsigned next = 0;
-  for (const auto& [s, material] : objects) {
+  for (const auto& [s, material, transform] : objects) {
     for (const Vec3& v : {s.a, s.b, s.c}) {
       *corner++ = narrow(v);
       *index++ = next++;
@@ -89,7 +89,7 @@ void add_triangles(const std::vector<Object<Shape>>& objects, Geometry id, World
 }
 
 void add_corner_normals(const Scene& scene, std::vector<float>& normals) {
-  for (const auto& [s, material] : scene.smooth_triangles)
+  for (const auto& [s, material, transform] : scene.smooth_triangles)
     for (const Vec3& v : {s.normal_a, s.normal_b, s.normal_c}) {
       const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
       for (const double part : {v.x, v.y, v.z})
@@ -99,7 +99,7 @@ void add_corner_normals(const Scene& scene, std::vector<float>& normals) {
 
 void add_cones(const Scene& scene, World& world) {
   world.cones.reserve(scene.cones.size());
-  for (const auto& [s, material] : scene.cones) {
+  for (const auto& [s, material, transform] : scene.cones) {
     const double x = s.apex.x - s.base.x, y = s.apex.y - s.base.y, z = s.apex.z - s.base.z;
     const double length = std::sqrt(x * x + y * y + z * z);
     world.cones.push_back({narrow(s.base), narrow(Vec3{x / length, y / length, z / length}),

@@ -6,6 +6,7 @@
 
 #include "core/text.hpp"
 #include "language/sections.hpp"
+#include "language/textures.hpp"
 
 namespace zraka::language {
 namespace {
@@ -179,6 +180,7 @@ constexpr Section section::material = {.key = "material",
                                        .text = kTable.text,
                                        .table = &kTable,
                                        .read = read,
-                                       .write = write};
+                                       .write = write,
+                                       .end = make_normal_maps_linear};
 
 }  // namespace zraka::language

@@ -11,10 +11,18 @@ constexpr Choice kFilters[] = {
     {"bilinear", "between the four pixels around"},
     {"mip", "the mean over what a pixel of the picture sees"},
 };
+constexpr Choice kTransfers[] = {
+    {"linear", "they are light"},
+    {"srgb", "by the sRGB curve, as in photographs"},
+};
 constexpr Field kFields[] = {
     field<&Texture::file>("file", {.text = "the picture: PNG, JPEG, PPM, PGM, PFM, HDR or OpenEXR",
                                    .unit = Unit::picture,
                                    .required = true}),
+    field<&Texture::transfer>(
+        "transfer", {.text = "how light became the numbers of a picture of 8 or 16 bits; those of a "
+                             "normal_map are linear where nothing is said",
+                     .choices = kTransfers}),
     texture_fields::wrap("what is beyond its edge"),
     field<&Texture::filter>("filter", {.text = "how it is looked up", .choices = kFilters}),
     texture_fields::mapping(),
@@ -26,7 +34,7 @@ void begin(Texture& texture) {
 }
 
 void end(Texture& texture, Item& item) {
-  texture.image = read_picture(*item.node.find("file"), "image texture", item.input);
+  texture.image = read_picture(*item.node.find("file"), "image texture", texture.transfer, item.input);
 }
 
 }  // namespace

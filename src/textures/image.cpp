@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures, over a surface or through space.
+#include <algorithm>
+#include <cmath>
+
+#include "math/elementary.hpp"
+#include "textures/kinds.hpp"
+
+namespace zraka {
+namespace {
+
+/// A level of the pyramid, and how it goes on beyond its edges.
+struct Sheet {
+  const Image& image;
+  TextureWrap wrap_u, wrap_v;
+};
+
+/// Into 0 to 1.
+double folded(double x, TextureWrap wrap) {
+  if (wrap == TextureWrap::repeat) return x - std::floor(x);
+  if (wrap == TextureWrap::clamp) return std::clamp(x, 0.0, 1.0);
+  x -= 2 * std::floor(x / 2);
+  return x > 1 ? 2 - x : x;
+}
+
+/// A number of a row or column, where it may be one too small or too large.
+std::uint32_t neighbor(double i, std::uint32_t count, TextureWrap wrap) {
+  if (i < 0) return wrap == TextureWrap::repeat ? count - 1 : 0;
+  if (i >= count) return wrap == TextureWrap::repeat ? 0 : count - 1;
+  return static_cast<std::uint32_t>(i);
+}
+
+V3<double> texel(const Image& image, std::uint32_t column, std::uint32_t row_from_below) {
+  const float* t = image.row(image.height - 1 - row_from_below) + std::size_t{3} * column;
+  return {t[0], t[1], t[2]};
+}
+
+V3<double> nearest(const Sheet& sheet, double u, double v) {
+  const Image& image = sheet.image;
+  const double x = std::floor(folded(u, sheet.wrap_u) * image.width);
+  const double y = std::floor(folded(v, sheet.wrap_v) * image.height);
+  return texel(image, std::min(static_cast<std::uint32_t>(x), image.width - 1),
+               std::min(static_cast<std::uint32_t>(y), image.height - 1));
+}
+
+/// Between the middles of the four texels around.
+V3<double> bilinear(const Sheet& sheet, double u, double v) {
+  const Image& image = sheet.image;
+  const double x = folded(u, sheet.wrap_u) * image.width - 0.5;
+  const double y = folded(v, sheet.wrap_v) * image.height - 0.5;
+  const double i = std::floor(x), j = std::floor(y), right = x - i, above = y - j;
+  const std::uint32_t i0 = neighbor(i, image.width, sheet.wrap_u);
+  const std::uint32_t i1 = neighbor(i + 1, image.width, sheet.wrap_u);
+  const std::uint32_t j0 = neighbor(j, image.height, sheet.wrap_v);
+  const std::uint32_t j1 = neighbor(j + 1, image.height, sheet.wrap_v);
+  const V3<double> low = texel(image, i0, j0) * (1 - right) + texel(image, i1, j0) * right;
+  const V3<double> high = texel(image, i0, j1) * (1 - right) + texel(image, i1, j1) * right;
+  return low * (1 - above) + high * above;
+}
+
+/// How wide an ellipse is, in texels, and its longer half axis.
+struct Ellipse {
+  double wide = 0, narrow = 0;
+  double x = 0, y = 0;
+};
+
+/// Of two half axes that a map may have turned towards each other: by the eigenvalues and an
+/// eigenvector of a matrix of two by two.
+Ellipse ellipse(const TexturePlace& at, const Image& image) {
+  const double ax = at.axes[0].x * image.width, ay = at.axes[0].y * image.height;
+  const double bx = at.axes[1].x * image.width, by = at.axes[1].y * image.height;
+  const double xx = ax * ax + bx * bx, yy = ay * ay + by * by, xy = ax * ay + bx * by;
+  const double half = (xx - yy) / 2, root = std::sqrt(half * half + xy * xy);
+  const double long_axis = std::sqrt((xx + yy) / 2 + root);
+  if (!(long_axis > 0)) return {};
+  // Of the two ways to write the eigenvector, the one that vanishes for circles alone.
+  double x = half >= 0 ? half + root : xy, y = half >= 0 ? xy : root - half;
+  if (x == 0 && y == 0) x = 1;
+  const double scale = long_axis / std::sqrt(x * x + y * y);
+  return {2 * long_axis, 2 * std::fabs(ax * by - ay * bx) / long_axis, x * scale, y * scale};
+}
+
+/// The wraps of a texture at a place; a sphere's north pole is next to no south pole.
+Sheet sheet_of(const PreparedTexture& t, const TexturePlace& at, std::size_t level) {
+  return {t.pyramid->level(level), t.wrap, at.v_ends ? TextureWrap::clamp : t.wrap};
+}
+
+/// The mean over what a footprint sees: probes in a row along its longer axis, each as wide as the
+/// shorter, from the two levels whose texels are about as large.
+V3<double> filtered(const PreparedTexture& t, const TexturePlace& at) {
+  constexpr double kMostProbes = 16, kPerLn2 = 1.4426950408889634;
+  const Image& image = t.pyramid->level(0);
+  const Ellipse seen = ellipse(at, image);
+  const double width = std::max({seen.narrow, seen.wide / kMostProbes, 1.0});
+  const auto last = static_cast<double>(t.pyramid->levels() - 1);
+  const double level = std::min(elementary::log(width) * kPerLn2, last);
+  const auto fine = static_cast<std::size_t>(level);
+  const double coarser = level - std::floor(level);
+
+  const Sheet sheet = sheet_of(t, at, fine);
+  const double probes = std::clamp(std::ceil(seen.wide / width), 1.0, kMostProbes);
+  const double along_u = 2 * seen.x / image.width, along_v = 2 * seen.y / image.height;
+  V3<double> sum{};
+  for (double i = 0.5; i < probes; ++i) {
+    const double share = i / probes - 0.5;
+    const double u = at.point.x + share * along_u, v = at.point.y + share * along_v;
+    V3<double> probe = bilinear(sheet, u, v);
+    if (coarser > 0)
+      probe = probe * (1 - coarser) + bilinear(sheet_of(t, at, fine + 1), u, v) * coarser;
+    sum = sum + probe;
+  }
+  return sum * (1 / probes);
+}
+
+TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
+  if (t.pyramid == nullptr) return {};
+  if (t.filter == TextureFilter::nearest)
+    return nearest(sheet_of(t, at, 0), at.point.x, at.point.y);
+  if (t.filter == TextureFilter::bilinear)
+    return bilinear(sheet_of(t, at, 0), at.point.x, at.point.y);
+  return filtered(t, at);
+}
+
+void prepare(const Texture& described, PreparedTexture& texture) {
+  const std::shared_ptr<const Image>& image = described.image;
+  if (image == nullptr || image->width == 0 || image->height == 0) return;
+  texture.pyramid = std::make_shared<Pyramid>(image, texture.filter == TextureFilter::mip);
+  texture.finest = {0.5 / image->width, 0.5 / image->height, 1};
+}
+
+}  // namespace
+
+const TextureCode texture_kinds::image = {value, prepare};
+
+}  // namespace zraka

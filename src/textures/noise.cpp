@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Clouds: a sum of octaves of noise, mapped to the colours from the first to the last.
+#include <algorithm>
+
+#include "textures/kinds.hpp"
+#include "textures/perlin.hpp"
+
+namespace zraka {
+namespace {
+
+TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
+  const Fractal fractal{t.octaves, t.seed};
+  const double height = fractal(at.point * (1 / t.size), greatest_width(at) / t.size);
+  return t.ramp.value(0.5 + 0.5 * height);
+}
+
+void prepare(const Texture&, PreparedTexture& texture) {
+  texture.ramp = Ramp(Ramp::evenly(texture.colors), false, TextureWrap::clamp);
+  const double step = texture.size * finest_grain(texture.octaves) / 32;
+  texture.finest = {step, step, step};
+}
+
+}  // namespace
+
+const TextureCode texture_kinds::noise = {value, prepare};
+
+}  // namespace zraka

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// A texture as its kind's functions look it up: in its own space, with what they made ready.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+#include <zraka/textures.hpp>
+
+#include "textures/pyramid.hpp"
+#include "textures/ramp.hpp"
+#include "textures/texture_point.hpp"
+
+namespace zraka {
+
+/// A map into a texture's space.
+struct IntoTexture {
+  V3<double> x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};  ///< a matrix, row by row
+  V3<double> origin{};                            ///< where the origin goes
+  V3<double> direction(const V3<double>& d) const { return {dot(x, d), dot(y, d), dot(z, d)}; }
+  V3<double> point(const V3<double>& p) const { return direction(p) + origin; }
+};
+
+struct PreparedTexture {
+  TextureKind kind = TextureKind::checker;
+  TextureMapping mapping = TextureMapping::solid;
+  IntoTexture into;
+  std::vector<V3<double>> colors;  ///< two or more
+  double size = 1;
+  V3<double> direction{1, 0, 0};  ///< of length 1
+  double turbulence = 0;
+  int octaves = 1;
+  std::uint32_t seed = 0;
+  TextureWrap wrap = TextureWrap::repeat;
+  TextureFilter filter = TextureFilter::mip;
+
+  // What a kind's prepare() makes.
+  Ramp ramp;
+  std::shared_ptr<const Pyramid> pyramid;
+  /// How far to either side, along each axis, a slope looks at least; a part of the size.
+  V3<double> finest{};
+
+  V3<double> least_step{};  ///< the same along the axes of what the texture lies in
+  double error_scale = 0;   ///< how much the map lengthens a point's error
+  bool keeps_v = false;     ///< the texture's v is the surface's
+};
+
+/// A place in a texture's space, and the footprint there.
+struct TexturePlace {
+  V3<double> point{};
+  V3<double> axes[2]{};
+  double error = 0;
+  bool v_ends = false;  ///< v goes from 0 to 1 and no further, for the texture as well
+};
+
+/// The width of a footprint along a direction of length 1, and where it is widest.
+double width_along(const TexturePlace& at, const V3<double>& direction);
+double greatest_width(const TexturePlace& at);
+
+/// How far below a border between two cells still counts to the cell above, in cells: what rounding
+/// may have done, and a little more, so that a surface in a border has one colour.
+double tolerance(const PreparedTexture& texture, const TexturePlace& at);
+
+}  // namespace zraka

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "textures/pyramid.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/in_parallel.hpp"
+
+namespace zraka {
+namespace {
+
+/// One pixel of a line that is made shorter: the pixels that it covers, of which the first and the
+/// last may be parts.
+struct Cover {
+  std::uint32_t begin, end;
+  double first, last;
+};
+
+/// Pixel `i` of `to`, where there are `from`: it covers from·i/to to from·(i + 1)/to.
+Cover cover(std::uint32_t i, std::uint32_t from, std::uint32_t to) {
+  const std::uint64_t begin = std::uint64_t{from} * i, end = begin + from;
+  const auto first = static_cast<std::uint32_t>(begin / to);
+  const auto last = static_cast<std::uint32_t>((end + to - 1) / to);
+  const double size = to;
+  return {first, last, 1 - static_cast<double>(begin % to) / size,
+          end % to == 0 ? 1 : static_cast<double>(end % to) / size};
+}
+
+double weight(const Cover& c, std::uint32_t i) {
+  if (i == c.begin) return c.first;
+  return i + 1 == c.end ? c.last : 1;
+}
+
+void halve_row(const Image& image, std::uint32_t y, Image& half) {
+  const Cover rows = cover(y, image.height, half.height);
+  const double size = (static_cast<double>(image.width) / half.width) *
+                      (static_cast<double>(image.height) / half.height);
+  float* out = half.row(y);
+  for (std::uint32_t x = 0; x < half.width; ++x, out += 3) {
+    const Cover columns = cover(x, image.width, half.width);
+    double sum[3] = {};
+    for (std::uint32_t j = rows.begin; j < rows.end; ++j)
+      for (std::uint32_t i = columns.begin; i < columns.end; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+          sum[c] += weight(rows, j) * weight(columns, i) *
+                    static_cast<double>(image.row(j)[std::size_t{3} * i + c]);
+    for (std::size_t c = 0; c < 3; ++c) out[c] = static_cast<float>(sum[c] / size);
+  }
+}
+
+}  // namespace
+
+Image halved(const Image& image) {
+  Image half(std::max(image.width / 2, 1u), std::max(image.height / 2, 1u));
+  const auto rows = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y) halve_row(image, static_cast<std::uint32_t>(y), half);
+  };
+  in_parallel(half.height, rows, 1 + (1 << 16) / half.width);
+  return half;
+}
+
+Pyramid::Pyramid(std::shared_ptr<const Image> image, bool smaller) : image_(std::move(image)) {
+  while (smaller) {
+    const Image& last = level(levels() - 1);
+    if (last.width <= 1 && last.height <= 1) return;
+    smaller_.push_back(halved(last));
+  }
+}
+
+}  // namespace zraka

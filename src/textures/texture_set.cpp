@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "textures/texture_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "textures/kinds.hpp"
+
+namespace zraka {
+namespace {
+
+constexpr const TextureCode* kKinds[] = {
+#define ZRAKA_ADDRESS(kind) &texture_kinds::kind,
+    ZRAKA_TEXTURES(ZRAKA_ADDRESS)
+#undef ZRAKA_ADDRESS
+};
+
+const TextureCode& code_of(const PreparedTexture& texture) {
+  return *kKinds[static_cast<std::size_t>(texture.kind)];
+}
+
+V3<double> to_v3(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+constexpr double kHuge = 1e30;
+
+V3<double> finite_point(const V3<double>& p) {
+  const auto finite = [](double v) { return std::fabs(v) < kHuge ? v : 0.0; };
+  return {finite(p.x), finite(p.y), finite(p.z)};
+}
+
+V3<double> finite_axis(const V3<double>& a) {
+  const auto finite = [](double v) { return std::fabs(v) < kHuge ? v : kHuge; };
+  return {finite(a.x), finite(a.y), finite(a.z)};
+}
+
+/// The inverse by Cramer's rule. Where there is none, every point is the texture's origin.
+IntoTexture inverse(const Transform& from_texture) {
+  const V3<double> x = to_v3(from_texture.along_x), y = to_v3(from_texture.along_y),
+                   z = to_v3(from_texture.along_z);
+  const double volume = dot(x, cross(y, z));
+  if (volume == 0 || !std::isfinite(1 / volume)) return {{}, {}, {}, {}};
+  IntoTexture into{cross(y, z) * (1 / volume), cross(z, x) * (1 / volume),
+                   cross(x, y) * (1 / volume)};
+  into.origin = into.direction(-to_v3(from_texture.origin));
+  return into;
+}
+
+/// How far along an axis of what the texture lies in takes a place as far as its finest parts.
+double least_step(const PreparedTexture& t, const V3<double>& axis) {
+  const V3<double> d = t.into.direction(axis);
+  const double x = d.x / t.finest.x, y = d.y / t.finest.y, z = d.z / t.finest.z;
+  const double step = 1 / std::sqrt(x * x + y * y + z * z);
+  return step < kHuge ? step : 1;
+}
+
+PreparedTexture prepared(const Texture& from) {
+  PreparedTexture t;
+  t.kind = from.kind;
+  t.mapping = from.mapping;
+  t.into = inverse(from.transform);
+  for (const Color& c : from.colors) t.colors.push_back({c.r, c.g, c.b});
+  while (t.colors.size() < 2) t.colors.push_back(t.colors.empty() ? V3<double>{} : t.colors[0]);
+  if (from.size > 0) t.size = from.size;
+  const V3<double> d = to_v3(from.direction);
+  const double length = std::sqrt(dot(d, d));
+  if (length > 0) t.direction = {d.x / length, d.y / length, d.z / length};
+  t.turbulence = from.turbulence;
+  t.octaves = std::clamp(from.octaves, 1, 32);
+  t.seed = from.seed;
+  t.wrap = from.wrap;
+  t.filter = from.filter;
+
+  t.finest = V3<double>{1, 1, 1} * (t.size / 64);
+  if (const auto prepare = code_of(t).prepare) prepare(from, t);
+  t.least_step = {least_step(t, {1, 0, 0}), least_step(t, {0, 1, 0}), least_step(t, {0, 0, 1})};
+  for (const V3<double>& row : {t.into.x, t.into.y, t.into.z})
+    t.error_scale = std::max(t.error_scale, std::sqrt(dot(row, row)));
+  t.keeps_v = t.into.y.x == 0 && t.into.y.y == 1 && t.into.origin.y == 0;
+  return t;
+}
+
+TexturePlace place_of(const PreparedTexture& t, const TexturePoint& at) {
+  TexturePlace place;
+  if (t.mapping == TextureMapping::uv) {
+    place.point = finite_point(t.into.point({at.u, at.v, 0}));
+    for (int i = 0; i < 2; ++i)
+      place.axes[i] = finite_axis(t.into.direction({at.footprint_u[i], at.footprint_v[i], 0}));
+    place.v_ends = at.v_ends && t.keeps_v;
+  } else {
+    place.point = finite_point(t.into.point(at.point));
+    for (int i = 0; i < 2; ++i) place.axes[i] = finite_axis(t.into.direction(at.footprint[i]));
+    place.error = at.error * t.error_scale;
+  }
+  return place;
+}
+
+double brightness(const TextureValue& c) {
+  return (c.x + c.y + c.z) / 3;
+}
+
+double length(double a, double b) {
+  return std::sqrt(a * a + b * b);
+}
+
+/// The difference of brightness over twice a step, where move(at, ±step) goes that far.
+template <class Move>
+double difference(const PreparedTexture& t, const TexturePoint& at, double step, double least,
+                  Move move) {
+  step = step < kHuge ? std::max(step, least) : kHuge;
+  TexturePoint ahead = at, behind = at;
+  move(ahead, step);
+  move(behind, -step);
+  const auto value = code_of(t).value;
+  return (brightness(value(t, place_of(t, ahead))) - brightness(value(t, place_of(t, behind)))) /
+         (2 * step);
+}
+
+}  // namespace
+
+TextureSet::TextureSet(const std::vector<Texture>& textures) {
+  textures_.reserve(textures.size());
+  for (const Texture& texture : textures) textures_.push_back(prepared(texture));
+}
+
+TextureValue TextureSet::value(std::uint32_t texture, const TexturePoint& at) const {
+  const PreparedTexture& t = textures_[texture];
+  return code_of(t).value(t, place_of(t, at));
+}
+
+V3<double> TextureSet::slope(std::uint32_t texture, const TexturePoint& at) const {
+  const PreparedTexture& t = textures_[texture];
+  const V3<double>&a = at.footprint[0], &b = at.footprint[1], &least = t.least_step;
+  if (t.mapping == TextureMapping::uv) {
+    const double u = length(at.footprint_u[0], at.footprint_u[1]);
+    const double v = length(at.footprint_v[0], at.footprint_v[1]);
+    return {difference(t, at, u, least.x, [](TexturePoint& p, double step) { p.u += step; }),
+            difference(t, at, v, least.y, [](TexturePoint& p, double step) { p.v += step; }), 0};
+  }
+  return {difference(t, at, length(a.x, b.x), least.x,
+                     [](TexturePoint& p, double step) { p.point.x += step; }),
+          difference(t, at, length(a.y, b.y), least.y,
+                     [](TexturePoint& p, double step) { p.point.y += step; }),
+          difference(t, at, length(a.z, b.z), least.z,
+                     [](TexturePoint& p, double step) { p.point.z += step; })};
+}
+
+std::uint64_t TextureSet::bytes() const {
+  std::uint64_t bytes = 0;
+  for (const PreparedTexture& t : textures_)
+    for (std::size_t i = 1; t.pyramid != nullptr && i < t.pyramid->levels(); ++i)
+      bytes += t.pyramid->level(i).pixels.size() * sizeof(float);
+  return bytes;
+}
+
+}  // namespace zraka
