@@ -5,6 +5,8 @@
 
 namespace zraka::elementary {
 
+/// Relative errors are at most 3·2^-53, those of log and pow 1.1·2^-53. Zeros, infinities and NaNs
+/// give what C's functions give (C17, annex F), angles of any size are reduced exactly.
 double sin(double x);
 double cos(double x);
 double atan2(double y, double x);
