@@ -26,6 +26,9 @@ inline int csg_operands(int step) {
 template <>
 struct ShapeTraits<Csg> {
   static constexpr const char* kName = "csg";
+  static constexpr const char* kNouns[2][4] = {
+      {"compound solid", "compound solid", "compound solid", "compound solid"},
+      {"složeno tijelo", "složeno tijelo", "složenog tijela", "složenom tijelu"}};
   static constexpr bool kClosed = true, kComposed = true;
 };
 
