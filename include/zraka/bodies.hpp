@@ -124,6 +124,7 @@ struct Instance {
 #define ZRAKA_BODIES(X)    \
   X(Ellipsoid, ellipsoids) \
   X(Plane, planes)         \
+  X(Box, boxes)            \
   X(Csg, csgs)             \
   X(Instance, instances)
 
