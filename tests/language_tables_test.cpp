@@ -36,10 +36,14 @@ std::string answer(const std::string& text) {
 /// A value that is good, another with every number.
 std::string good_value(const Field& field, int number) {
   const About& about = field.about;
-  const auto vector = [](int n) { return fmt::format("[{}, {}, {}]", n, n * n, 1); };
+  const int sign = field.key == "min" ? -1 : 1;  // below max
+  const auto vector = [&](int n) {
+    return fmt::format("[{}, {}, {}]", sign * n, sign * n * n, sign);
+  };
   switch (field.kind) {
     case FieldKind::number:
     case FieldKind::integer:
+      if (field.key == "inner_radius") return "0.5";  // less than the other
       return std::isfinite(about.range.least) ? text_of(about.range.least + 1) : "1";
     case FieldKind::boolean:
       return "false";

@@ -12,8 +12,8 @@
 
 namespace zraka::language {
 
-/// The path of the file that a node of `what` names; none, and the problem told, where it leaves the
-/// scene's folder and must not, or there is no folder.
+/// The path of the file that a node of `what` names; none, and the problem told, where it leaves
+/// the scene's folder and must not, or there is no folder.
 std::optional<std::string> path_of(const toml::Node& node, std::string_view what, Input& input);
 
 /// The picture that a node names, in linear light; nullptr, and the problem told, if it cannot be

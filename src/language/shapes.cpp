@@ -57,19 +57,6 @@ void prepare(Item& item) {
                               : material_named(common.material.value_or("default"), item);
 }
 
-/// "" where all is well with a body that a transform moves.
-template <class Body>
-std::string problem_of(const Body& body, const Transform& transform) {
-  if constexpr (ShapeTraits<Body>::kComposed) {
-    return "";
-  } else {
-    if (const char* const problem = ShapeTraits<Body>::check(body)) return problem;
-    Bounds box = ShapeTraits<Body>::bounds(body);
-    if constexpr (std::is_same_v<Body, Plane>) box = {body.point, body.point};
-    return within_reach(box) && within_reach(moved(box, transform)) ? "" : too_far();
-  }
-}
-
 void refuse(const Item& item, std::string_view what, std::string_view problem) {
   item.input.problems.error(item.node.begin, fmt::format("{}: {}", what, problem));
 }
@@ -102,7 +89,7 @@ void add_primitive(Item& item, std::vector<Object<Primitive>> ShapeLists::*list,
                    const Primitive& primitive, const std::optional<Transform>& of_textures) {
   CommonEntry& common = common_of(item);
   const Primitive moved = common.transform ? baked(primitive, *common.transform) : primitive;
-  if (const std::string problem = zraka::problem_of(moved); !problem.empty())
+  if (const std::string problem = problem_of(moved); !problem.empty())
     return refuse(item, ShapeTraits<Primitive>::kName, problem);
   Transform with_textures = transform_of(item);
   if (of_textures)

@@ -15,6 +15,7 @@
 #define ZRAKA_SHAPE_KINDS(X) \
   X(sphere)                  \
   X(ellipsoid)               \
+  X(box)                     \
   X(plane)                   \
   X(cylinder)                \
   X(cone)                    \
@@ -28,9 +29,9 @@
 namespace zraka::language {
 
 /// Kinds of the language that are not built yet.
-inline constexpr std::string_view kShapesNotBuilt[] = {
-    "box",     "parallelogram",  "disc",         "capsule", "torus",
-    "quadric", "superellipsoid", "height_field", "mesh"};
+inline constexpr std::string_view kShapesNotBuilt[] = {"parallelogram", "disc",    "capsule",
+                                                       "torus",         "quadric", "superellipsoid",
+                                                       "height_field",  "mesh"};
 
 namespace shape {
 #define ZRAKA_DECLARE(name) extern const Kind name;

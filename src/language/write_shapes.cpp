@@ -16,8 +16,13 @@ std::optional<CornerUvs> uvs_at(std::size_t triangle, const std::vector<CornerUv
 }
 
 /// None where that is what a shape has which names none.
-std::optional<std::string> material_at(std::uint32_t index, bool part, const Output& output) {
-  if (index == kMaterialOfWhole) return std::nullopt;
+std::optional<std::string> material_at(std::uint32_t index, bool part, Output& output) {
+  if (part && index == kMaterialOfWhole) return std::nullopt;
+  if (index >= output.materials.size()) {
+    output.text.problems.push_back(
+        fmt::format("material {} of {}", index, output.materials.size()));
+    return std::nullopt;
+  }
   const std::string& name = output.materials[index];
   return !part && name == "default" ? std::nullopt : std::optional(name);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scene/bounds_of.hpp"
+#include "scene/check_shape.hpp"
 #include "scene/csg_size.hpp"
 
 namespace zraka {
@@ -78,7 +79,7 @@ class Checker {
       if (object.shape.group >= scene_.groups.size()) {
         cyclic_ = true;  // or worse
         tell(fmt::format("it is of group {}, but there are {}", object.shape.group,
-                             scene_.groups.size()));
+                         scene_.groups.size()));
       }
     }
     if constexpr (std::is_same_v<Shape, Csg>) {
@@ -86,16 +87,25 @@ class Checker {
         tell(problem);
       else if (const std::string size = problem_of_size(size_of(object.shape)); !size.empty())
         tell(size);
-    } else if constexpr (!std::is_same_v<Shape, Instance>) {
-      if (part)  // those of the scene itself are looked at with their bounds
-        if (const char* const problem = ShapeTraits<Shape>::check(object.shape)) tell(problem);
+    } else if (part) {  // those of the scene itself are looked at with their bounds
+      if (const std::string problem = problem_of_shape(object); !problem.empty()) tell(problem);
     }
+  }
+
+  template <class Shape>
+  std::string problem_of_shape(const Object<Shape>& object) const {
+    if constexpr (is_body<Shape>)
+      return problem_of(object.shape,
+                        object.transform == 0 || object.transform > scene_.transforms.size()
+                            ? Transform{}
+                            : scene_.transforms[object.transform - 1]);
+    else
+      return problem_of(object.shape);
   }
 
   std::string problem_of_places(std::uint32_t material, std::uint32_t transform, bool part) const {
     if (part && material >= scene_.materials.size() && material != kMaterialOfWhole)
-      return fmt::format("it has material {}, but there are {}", material,
-                         scene_.materials.size());
+      return fmt::format("it has material {}, but there are {}", material, scene_.materials.size());
     if (transform > scene_.transforms.size())
       return fmt::format("it has transform {}, but there are {}", transform,
                          scene_.transforms.size());
@@ -128,8 +138,8 @@ class Checker {
     } else {
       if constexpr (requires { shape.caps; })
         if (!shape.caps) return "without caps it is no closed body";
-      const char* const problem = ShapeTraits<Shape>::check(shape);
-      return problem != nullptr ? fmt::format("{}: {}", ShapeTraits<Shape>::kName, problem) : "";
+      const std::string problem = problem_of(shape, Transform{});
+      return problem.empty() ? "" : fmt::format("{}: {}", ShapeTraits<Shape>::kName, problem);
     }
   }
 
@@ -156,8 +166,8 @@ class Checker {
       if (waits[i] > 0) return complain(fmt::format("group {} has itself in it", i + 1));
       if (levels[i] > kMostGroupLevels)
         return complain(fmt::format("group {} has groups in it {} deep: at most {} fit", i + 1,
-                                     levels[i], kMostGroupLevels),
-                         "");
+                                    levels[i], kMostGroupLevels),
+                        "");
     }
   }
 
@@ -190,8 +200,8 @@ class Checker {
     const auto in_range = [&](std::uint32_t texture) {
       if (texture >= scene_.textures.size())
         complain(fmt::format("material {} has texture {}, but there are {}", index + 1, texture,
-                              scene_.textures.size()),
-                  "");
+                             scene_.textures.size()),
+                 "");
     };
     for (const TextureUse& use : material.textures) in_range(use.texture);
     if (material.normals.kind == NormalUse::Kind::none) return;

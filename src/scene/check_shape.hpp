@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include "scene/bounds_of.hpp"
+#include "shapes/bodies.hpp"
 #include "shapes/shapes.hpp"
 
 namespace zraka {
@@ -30,6 +32,20 @@ template <class Shape>
 std::string problem_of(const Shape& shape) {
   if (const char* const problem = ShapeTraits<Shape>::check(shape)) return problem;
   return within_reach(ShapeTraits<Shape>::bounds(shape)) ? "" : too_far();
+}
+
+/// What is wrong with a body that a transform moves; "" where all is well, or where it is made of
+/// others.
+template <class Body>
+std::string problem_of(const Body& body, const Transform& transform) {
+  if constexpr (ShapeTraits<Body>::kComposed) {
+    return "";
+  } else {
+    if (const char* const problem = ShapeTraits<Body>::check(body)) return problem;
+    Bounds box = ShapeTraits<Body>::bounds(body);
+    if constexpr (std::is_same_v<Body, Plane>) box = {body.point, body.point};
+    return within_reach(box) && within_reach(moved(box, transform)) ? "" : too_far();
+  }
 }
 
 }  // namespace zraka

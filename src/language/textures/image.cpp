@@ -20,9 +20,10 @@ constexpr Field kFields[] = {
                                    .unit = Unit::picture,
                                    .required = true}),
     field<&Texture::transfer>(
-        "transfer", {.text = "how light became the numbers of a picture of 8 or 16 bits; those of a "
-                             "normal_map are linear where nothing is said",
-                     .choices = kTransfers}),
+        "transfer",
+        {.text = "how light became the numbers of a picture of 8 or 16 bits; those of a "
+                 "normal_map are linear where nothing is said",
+         .choices = kTransfers}),
     texture_fields::wrap("what is beyond its edge"),
     field<&Texture::filter>("filter", {.text = "how it is looked up", .choices = kFilters}),
     texture_fields::mapping(),
@@ -34,7 +35,8 @@ void begin(Texture& texture) {
 }
 
 void end(Texture& texture, Item& item) {
-  texture.image = read_picture(*item.node.find("file"), "image texture", texture.transfer, item.input);
+  texture.image =
+      read_picture(*item.node.find("file"), "image texture", texture.transfer, item.input);
 }
 
 }  // namespace
