@@ -133,12 +133,14 @@ TEST(CheckBodies, FindsTexturesThatAreNone) {
   scene.materials[0].textures = {{Coefficient::diffuse, 3}, {Coefficient::diffuse, 0}};
   scene.materials[0].normals = {NormalUse::Kind::bump, 4, kNaN};
   Texture& texture = scene.textures[0];
-  texture = {.kind = TextureKind::noise, .transform = {{}, {}, {}, {}}, .colors = {{1, 1, 1}}};
+  texture.kind = TextureKind::noise;
+  texture.transform = {{}, {}, {}, {}};
+  texture.colors.resize(1);
   texture.size = 0;
   texture.direction = {};
   texture.turbulence = -1;
   texture.octaves = 0;
-  scene.textures.push_back({.kind = TextureKind::image});
+  scene.textures.emplace_back().kind = TextureKind::image;
   EXPECT_EQ(problems(scene),
             "texture 1: its transform: it makes all that it moves flat\n"
             "texture 1: it has fewer than two colours\n"
