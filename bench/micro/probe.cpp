@@ -84,8 +84,8 @@ void spawn(const FrozenScene<float>& scene, const TraceSettings& settings,
   RayCounts counts;
   Level<float>&level = workspace.levels[0], &next = workspace.levels[1];
   next.ray_count = next.done = 0;
-  spawn_reflected<L>(scene, settings, level, workspace.scratch, next, counts);
-  spawn_refracted<L>(scene, level, workspace.scratch, next, counts);
+  spawn_reflected<L>(settings, level, workspace.scratch, next, counts);
+  spawn_refracted<L>(level, workspace.scratch, next, counts);
 }
 
 void fold_level(const TraceSettings& settings, Workspace<float>& workspace) {

@@ -31,6 +31,8 @@ struct BodySurface {
   double u = 0, v = 0;
   /// How the point moves with u and with v, for bent normals.
   V3<double> along_u{1, 0, 0}, along_v{0, 1, 0};
+  double curvature = 0;  ///< 1 over the least radius, roughly: how much it spreads what it mirrors
+  bool v_ends = false;   ///< v goes from one end to another, and not round
 };
 
 /// ShapeTraits of a body has, in the space that it is described in,
