@@ -70,6 +70,7 @@ void hits(const FrozenScene<float>& scene, const TileRect& tile, Workspace<float
 
 void surfaces(const FrozenScene<float>& scene, Workspace<float>& workspace) {
   find_surfaces<L>(scene, workspace.levels[0], workspace.scratch);
+  take_coefficients(scene, workspace.levels[0], workspace.scratch);
 }
 
 void light(const FrozenScene<float>& scene, const TraceSettings& settings,
@@ -79,7 +80,7 @@ void light(const FrozenScene<float>& scene, const TraceSettings& settings,
                 Steps{});
 }
 
-void spawn(const FrozenScene<float>& scene, const TraceSettings& settings,
+void spawn(const FrozenScene<float>&, const TraceSettings& settings,
            Workspace<float>& workspace) {
   RayCounts counts;
   Level<float>&level = workspace.levels[0], &next = workspace.levels[1];

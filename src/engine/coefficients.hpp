@@ -12,6 +12,15 @@ namespace zraka {
 template <class R>
 void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R>& scratch);
 
+/// Says where light finds the coefficients of the hits whose surfaces are known.
+template <class R>
+void take_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R>& scratch) {
+  const bool textured = scene.textures != nullptr;
+  if (textured) find_coefficients(scene, level, scratch);
+  scratch.coefficients = textured ? scratch.own_rows : scene.materials;
+  scratch.row = textured ? scratch.own_row : scratch.material;
+}
+
 /// Gives the children of a level's hits their cones.
 template <class R>
 void spread_cones(const Level<R>& level, const Scratch<R>& scratch, Level<R>& next);

@@ -28,11 +28,7 @@ void trace_batch(const FrozenScene<R>& scene, const TraceSettings& settings, Lev
   trace_nearest<L>(scene, level, workspace.scratch, steps);
   counts.hits += static_cast<std::uint64_t>(level.hit_count);
   find_surfaces<L>(scene, level, workspace.scratch, steps);
-  Scratch<R>& scratch = workspace.scratch;
-  const bool textured = scene.textures != nullptr;
-  if (textured) find_coefficients(scene, level, scratch);
-  scratch.coefficients = textured ? scratch.own_rows : scene.materials;
-  scratch.row = textured ? scratch.own_row : scratch.material;
+  take_coefficients(scene, level, workspace.scratch);
   light_hits<L>(scene, settings, level, workspace.scratch, counts, record, steps);
 
   if (next == nullptr || settings.terms.silhouette) return;
@@ -40,7 +36,7 @@ void trace_batch(const FrozenScene<R>& scene, const TraceSettings& settings, Lev
   steps.template spawn_reflected<L>(settings, level, workspace.scratch, *next, counts,
                                     record, steps);
   spawn_refracted<L>(level, workspace.scratch, *next, counts, record, steps);
-  if (textured) spread_cones(level, scratch, *next);
+  if (scene.textures != nullptr) spread_cones(level, workspace.scratch, *next);
   record.children(level, *next);
 }
 
