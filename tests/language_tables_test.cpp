@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -17,8 +18,16 @@
 namespace zraka::language {
 namespace {
 
+/// Things that fields may name are there.
 std::string answer(const std::string& text) {
-  const Result<ReadScene> read = parse_toml(text, "s");
+  static const std::string folder = [] {
+    const std::string made = testing::TempDir() + "zraka_language_tables";
+    std::filesystem::create_directories(made);
+    std::ofstream(made + "/a.ppm") << "P3 1 1 255 0 0 0\n";
+    return made;
+  }();
+  const Result<ReadScene> read =
+      parse_toml(text + "\n[group.any]\nshape = []\n", "s", {.folder = folder});
   std::string all;
   for (const Diagnostic& d : read ? read->warnings : read.error()) all += to_string(d);
   return all;
@@ -27,10 +36,14 @@ std::string answer(const std::string& text) {
 /// A value that is good, another with every number.
 std::string good_value(const Field& field, int number) {
   const About& about = field.about;
-  const auto vector = [](int n) { return fmt::format("[{}, {}, {}]", n, n * n, 1); };
+  const int sign = field.key == "min" ? -1 : 1;  // below max
+  const auto vector = [&](int n) {
+    return fmt::format("[{}, {}, {}]", sign * n, sign * n * n, sign);
+  };
   switch (field.kind) {
     case FieldKind::number:
     case FieldKind::integer:
+      if (field.key == "inner_radius") return "0.5";  // less than the other
       return std::isfinite(about.range.least) ? text_of(about.range.least + 1) : "1";
     case FieldKind::boolean:
       return "false";
@@ -39,7 +52,9 @@ std::string good_value(const Field& field, int number) {
     case FieldKind::color:
       return "0.5";
     case FieldKind::text:
-      return about.unit == Unit::name_of_material ? "\"default\"" : "\"any\"";
+      return about.unit == Unit::name_of_material ? "\"default\""
+             : about.unit == Unit::picture        ? "\"a.ppm\""
+                                                  : "\"any\"";
     case FieldKind::choice:
       return in_quotes(about.choices[0].name);
     case FieldKind::points: {
@@ -48,6 +63,20 @@ std::string good_value(const Field& field, int number) {
         all += (i > 0 ? ", " : "") + vector(number + i);
       return "[" + all + "]";
     }
+    case FieldKind::colors:
+      return "[0, [1, 0.5, 0], \"#123456\"]";
+    case FieldKind::numbers: {
+      std::vector<int> numbers(about.fewest, 1);
+      return fmt::format("[{}]", fmt::join(numbers, ", "));
+    }
+    case FieldKind::uvs:
+      return "[[0, 0.5], [1, 2], [-3, 4]]";
+    case FieldKind::transform:
+      return "[{scale = [1, 2, 3]}, {rotate = [0, 1, 0], by_deg = 30}, {translate = [1, 0, 0]}]";
+    case FieldKind::texture:
+      return "{kind = \"checker\"}";
+    case FieldKind::shapes:
+      return "[{kind = \"sphere\", center = [0, 0, 0], radius = 1}]";
     case FieldKind::table: {
       std::string all;
       for (const Field& inner : field.table->fields)
@@ -104,6 +133,31 @@ std::vector<std::string> bad_values(const Field& field) {
       }
       break;
     }
+    case FieldKind::colors:
+      bad.insert(bad.end(), {"1", "[1]", "[1, [1, 2]]", "[1, [-1, 0, 0]]", "[1, inf]"});
+      break;
+    case FieldKind::numbers: {
+      const std::vector<std::string> few(field.about.fewest - 1, "1"),
+          infinite(field.about.fewest, "inf"), many(field.about.fewest + 1, "1");
+      for (const auto& values : {few, infinite, many})
+        bad.push_back(fmt::format("[{}]", fmt::join(values, ", ")));
+      break;
+    }
+    case FieldKind::uvs:
+      bad.insert(bad.end(), {"1", "[[0, 0], [1, 0]]", "[[0, 0], [1, 0], [0, 1, 2]]",
+                             "[[0, 0], [1, 0], [0, inf]]", "[[0, 0], [1, 0], [0, 1e300]]"});
+      break;
+    case FieldKind::transform:
+      drop(2);  // nothing is moved
+      bad.push_back("1");
+      break;
+    case FieldKind::texture:
+      bad.push_back("1");
+      break;
+    case FieldKind::shapes:
+      bad.push_back("1");
+      if (field.about.fewest == 0) drop(2);
+      break;
     case FieldKind::boolean:
       drop(0);
       bad.insert(bad.end(), {"1", "\"true\""});
@@ -169,10 +223,13 @@ TEST(LanguageTables, EveryFieldRefusesEveryBadValueAtItsPlace) {
       const std::string place =
           fmt::format("s:{}:{}: error: ", lines_of(rest) + 1, field.key.size() + 4);
       const std::string words = answer(text);
-      // Where a table is wrong inside, the place is in it.
-      const bool inside = field.kind == FieldKind::table && value == "{}";
-      EXPECT_TRUE(words.starts_with(place) || inside) << text << "says\n" << words;
-      EXPECT_NE(words.find(field.key), std::string::npos) << words;
+      // Of what is made of tables the place may be in it, of a texture the words its own.
+      const bool inside = field.kind == FieldKind::table || field.kind == FieldKind::transform ||
+                          field.kind == FieldKind::shapes;
+      const std::string line = fmt::format("s:{}:", lines_of(rest) + 1);
+      EXPECT_TRUE(words.starts_with(inside ? line : place)) << text << "says\n" << words;
+      const bool is_texture = field.about.textured && value == "{}";
+      EXPECT_NE(words.find(is_texture ? "texture" : field.key), std::string::npos) << words;
       EXPECT_NE(words, "") << text;
       ++tried;
     }
@@ -265,15 +322,27 @@ TEST(LanguageTables, ExplainEveryKeyword) {
     const FieldFacts facts = facts_of(field, table);
     EXPECT_NE(text.find(facts.meaning.substr(0, 20)), std::string::npos) << text;
   });
-  EXPECT_EQ(help_on("sphere").value_or(""),
-            "sphere: A sphere.\n\n"
-            "  [[shape]]\n"
-            "  kind = \"sphere\"\n"
-            "  center  its centre: [x, y, z], finite numbers; required\n"
-            "  radius  its radius: a number greater than 0, in scene units; required\n"
-            "  material   its material: the name of a material, in quotes; default \"default\"\n"
-            "  name       what explain and influence call it: a text in quotes\n"
-            "  transform  where it is moved to, and how it is turned and scaled; not built yet\n");
+  EXPECT_EQ(
+      help_on("sphere").value_or(""),
+      "sphere: A sphere.\n\n"
+      "  [[shape]]\n"
+      "  kind = \"sphere\"\n"
+      "  center             its centre: [x, y, z], finite numbers; required\n"
+      "  radius             its radius: a number greater than 0, in scene units; required\n"
+      "  texture_transform  where its textures and uv are moved to before the shape is: a list "
+      "of\n"
+      "                     steps: {scale = …}, {rotate = [x, y, z], by_deg = …}, {translate = "
+      "[x, y,\n"
+      "                     z]} or {matrix = [[…], […], […]]}\n"
+      "  material   its material; what names none has the material default, or, as a part of a "
+      "group or\n"
+      "             of CSG, that of the whole: the name of a material, in quotes\n"
+      "  name       what explain and influence call it: a text in quotes\n"
+      "  transform  where it is moved to, and how it is turned and scaled: a list of steps: "
+      "{scale =\n"
+      "             …}, {rotate = [x, y, z], by_deg = …}, {translate = [x, y, z]} or {matrix = "
+      "[[…],\n"
+      "             […], […]]}\n");
   EXPECT_EQ(help_on("shpere"), std::nullopt);
 }
 

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 #include <vector>
 
 #include "accel/build.hpp"
 #include "lanes_probe.hpp"
+#include "ray_count.hpp"
 #include "scene/freeze.hpp"
 
 namespace zraka {
@@ -70,14 +70,6 @@ inline std::vector<ProbeRay> random_rays(std::size_t count, unsigned seed) {
     }
   }
   return rays;
-}
-
-/// ZRAKA_TEST_RAYS=1000000 in the environment asks for more rays than a test has time for.
-inline std::size_t ray_count(std::size_t usual) {
-  const char* more = std::getenv("ZRAKA_TEST_RAYS");
-  return more == nullptr
-             ? usual
-             : std::max(usual, static_cast<std::size_t>(std::strtoull(more, nullptr, 10)));
 }
 
 /// Compares all instruction sets with each other, bit by bit, and with the oracle but for rays that

@@ -26,23 +26,27 @@ struct Transform {
 struct Ellipsoid {
   Vec3 center;
   Vec3 radii{1, 1, 1};  ///< along x, y and z, greater than 0
+  friend bool operator==(const Ellipsoid&, const Ellipsoid&) = default;
 };
 
 /// Sides along the axes.
 struct Box {
   Vec3 min, max{1, 1, 1};
   double radius = 0;  ///< of rounded edges, at most half the shortest side
+  friend bool operator==(const Box&, const Box&) = default;
 };
 
 /// Unbounded. In CSG the half-space behind it: where its normal does not point.
 struct Plane {
   Vec3 point;
   Vec3 normal{0, 1, 0};  ///< of any length but 0
+  friend bool operator==(const Plane&, const Plane&) = default;
 };
 
 /// Flat; seen from both sides.
 struct Parallelogram {
   Vec3 corner, edge_u{1, 0, 0}, edge_v{0, 1, 0};
+  friend bool operator==(const Parallelogram&, const Parallelogram&) = default;
 };
 
 /// Flat; seen from both sides. A ring where the inner radius is not 0.
@@ -51,6 +55,7 @@ struct Disc {
   Vec3 normal{0, 1, 0};  ///< of any length but 0
   double radius = 1;
   double inner_radius = 0;
+  friend bool operator==(const Disc&, const Disc&) = default;
 };
 
 /// A cone, a frustum or a cylinder as a solid; without caps the side alone, like Cone, but under
@@ -61,12 +66,14 @@ struct Frustum {
   Vec3 top{0, 1, 0};
   double top_radius = 1;
   bool caps = true;
+  friend bool operator==(const Frustum&, const Frustum&) = default;
 };
 
 /// All points within a radius of a line.
 struct Capsule {
   Vec3 base, top{0, 1, 0};
   double radius = 1;
+  friend bool operator==(const Capsule&, const Capsule&) = default;
 };
 
 /// Round its axis; the tube's radius is at most the radius of the tube's middle circle.
@@ -75,6 +82,7 @@ struct Torus {
   Vec3 normal{0, 1, 0};  ///< the axis' direction
   double radius = 1;
   double tube_radius = 0.25;
+  friend bool operator==(const Torus&, const Torus&) = default;
 };
 
 /// Where coefficients·(x², y², z², xy, xz, yz, x, y, z, 1) is 0, as far as it is in a box; the
@@ -82,6 +90,7 @@ struct Torus {
 struct Quadric {
   std::array<double, 10> coefficients{1, 1, 1, 0, 0, 0, 0, 0, 0, -1};
   Vec3 min{-1, -1, -1}, max{1, 1, 1};
+  friend bool operator==(const Quadric&, const Quadric&) = default;
 };
 
 /// (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) = 1 in units of the radii (Barr, "Superquadrics and
@@ -90,6 +99,7 @@ struct Superellipsoid {
   Vec3 center;
   Vec3 radii{1, 1, 1};
   double e = 1, n = 1;  ///< greater than 0
+  friend bool operator==(const Superellipsoid&, const Superellipsoid&) = default;
 };
 
 enum class CsgOperation : std::uint8_t { unite, intersect, subtract };
@@ -105,6 +115,7 @@ struct Csg {
 /// A group of shapes, as its index in Scene::groups, once more.
 struct Instance {
   std::uint32_t group = 0;
+  friend bool operator==(const Instance&, const Instance&) = default;
 };
 
 }  // namespace zraka
@@ -113,6 +124,7 @@ struct Instance {
 #define ZRAKA_BODIES(X)    \
   X(Ellipsoid, ellipsoids) \
   X(Plane, planes)         \
+  X(Box, boxes)            \
   X(Csg, csgs)             \
   X(Instance, instances)
 

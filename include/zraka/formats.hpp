@@ -2,6 +2,7 @@
 // Scenes from files and into files.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <zraka/diagnostic.hpp>
@@ -15,11 +16,20 @@ struct ReadScene {
   Diagnostics warnings;
 };
 
+/// What the reader of a scene may do with names of other files in it: pictures, meshes.
+struct ReadOptions {
+  /// Where such names start; read_scene() takes the scene file's folder where nothing is said, and
+  /// parse_scene() then reads no files.
+  std::optional<std::string> folder{};
+  bool allow_outside = false;  ///< whether names may lead out of the folder
+};
+
 /// Reads a scene file. Fails with all the problems of the file at once.
-Result<ReadScene> read_scene(const std::string& path);
+Result<ReadScene> read_scene(const std::string& path, const ReadOptions& options = {});
 
 /// The same from memory; `name` stands for the file in messages.
-Result<ReadScene> parse_scene(std::string_view text, const std::string& name);
+Result<ReadScene> parse_scene(std::string_view text, const std::string& name,
+                              const ReadOptions& options = {});
 
 /// A scene in the course's input.txt format. Fails if the scene has what that format cannot say.
 Result<std::string> write_lab_input(const Scene& scene);

@@ -3,6 +3,8 @@
 // checking, help, documentation and schema are derived from them (language/).
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -13,23 +15,63 @@
 #include <utility>
 #include <variant>
 #include <vector>
-#include <zraka/values.hpp>
+#include <zraka/scene.hpp>
 
 namespace zraka {
 
 /// A value of a field, whatever the type of the member that holds it.
 using Points = std::vector<Vec3>;
+using Colors = std::vector<Color>;
+using Numbers = std::vector<double>;
+/// A texture, as its index in Scene::textures; of many fields in the place of a value.
+struct TextureIndex {
+  std::uint32_t index = 0;
+  friend bool operator==(const TextureIndex&, const TextureIndex&) = default;
+};
+/// Shapes in a list. Whoever has the field reads them himself; to be written they are text already.
+struct ShapeTables {
+  std::string text;
+  friend bool operator==(const ShapeTables&, const ShapeTables&) = default;
+};
 struct Chosen {
   int index = 0;  ///< among the field's choices
   friend bool operator==(const Chosen&, const Chosen&) = default;
 };
 /// monostate: an optional member that holds nothing.
-using FieldValue = std::variant<std::monostate, double, std::int64_t, bool, Vec3, Color,
-                                std::string, Chosen, Points>;
+using FieldValue =
+    std::variant<std::monostate, double, std::int64_t, bool, Vec3, Color, std::string, Chosen,
+                 Points, Colors, Numbers, CornerUvs, Transform, TextureIndex, ShapeTables>;
 
-enum class FieldKind { number, integer, boolean, vector, color, text, choice, points, table };
+enum class FieldKind {
+  number,
+  integer,
+  boolean,
+  vector,
+  color,
+  text,
+  choice,
+  points,
+  colors,
+  numbers,
+  uvs,
+  transform,
+  texture,
+  shapes,
+  table
+};
 
-enum class Unit { none, length, degrees, point, direction, pixels, name_of_material };
+enum class Unit {
+  none,
+  length,
+  degrees,
+  point,
+  direction,
+  pixels,
+  name_of_material,
+  name_of_group,
+  picture,
+  mesh
+};
 
 /// The numbers that a field may be, each component of a vector or a colour.
 struct Range {
@@ -66,11 +108,12 @@ struct About {
   Range range{};
   bool required = false;
   std::span<const Choice> choices{};  ///< in the order of the member's enumerators
-  std::size_t fewest = 0;             ///< points
+  std::size_t fewest = 0;             ///< points, colours, numbers, shapes
   std::size_t most = std::numeric_limits<std::size_t>::max();
   std::string_view symbol{};  ///< the lab sheet's
   /// What the language names for it besides, but is not built yet: "a texture".
   std::string_view later{};
+  bool textured = false;  ///< a texture may stand in the place of the value
 };
 
 struct Field {
@@ -82,6 +125,8 @@ struct Field {
   /// Of a field that is a table itself.
   const Table* table = nullptr;
   void* (*inside)(void* object) = nullptr;
+  /// The same for reading only; nullptr where an optional member holds nothing.
+  const void* (*look_inside)(const void* object) = nullptr;
   /// Not built yet; of some, the value that means what is built is taken: a number, a word or a
   /// vector.
   bool built = true;
@@ -113,6 +158,11 @@ constexpr bool is_optional = false;
 template <class T>
 constexpr bool is_optional<std::optional<T>> = true;
 
+template <class T>
+constexpr std::size_t numbers_of = 0;
+template <std::size_t N>
+constexpr std::size_t numbers_of<std::array<double, N>> = N;
+
 template <class M>
 constexpr FieldKind kind_of() {
   if constexpr (is_optional<M>)
@@ -133,6 +183,18 @@ constexpr FieldKind kind_of() {
     return FieldKind::text;
   else if constexpr (std::is_same_v<M, Points>)
     return FieldKind::points;
+  else if constexpr (std::is_same_v<M, Colors>)
+    return FieldKind::colors;
+  else if constexpr (numbers_of<M> != 0)
+    return FieldKind::numbers;
+  else if constexpr (std::is_same_v<M, CornerUvs>)
+    return FieldKind::uvs;
+  else if constexpr (std::is_same_v<M, Transform>)
+    return FieldKind::transform;
+  else if constexpr (std::is_same_v<M, TextureIndex>)
+    return FieldKind::texture;
+  else if constexpr (std::is_same_v<M, ShapeTables>)
+    return FieldKind::shapes;
   else
     return FieldKind::table;
 }
@@ -147,6 +209,8 @@ FieldValue value_of(const M& member) {
     return static_cast<std::int64_t>(member);
   else if constexpr (std::is_enum_v<M>)
     return Chosen{static_cast<int>(member)};
+  else if constexpr (numbers_of<M> != 0)
+    return Numbers(member.begin(), member.end());
   else
     return member;
 }
@@ -161,18 +225,23 @@ void put_into(M& member, FieldValue&& value) {
     member = static_cast<M>(std::get<std::int64_t>(value));
   else if constexpr (std::is_enum_v<M>)
     member = static_cast<M>(std::get<Chosen>(value).index);
+  else if constexpr (numbers_of<M> != 0)
+    std::copy_n(std::get<Numbers>(value).begin(), numbers_of<M>, member.begin());
   else
     member = std::get<M>(std::move(value));
 }
 
 }  // namespace fields
 
-/// A field that is kept in a member: field<&Sphere::radius>("radius", {.text = …}).
-template <auto member>
+/// A field that is kept in a member: field<&Sphere::radius>("radius", {.text = …}). The objects are
+/// of the type that has the member, or of one derived from it.
+template <auto member, class Of = typename fields::MemberOf<decltype(member)>::Object>
 constexpr Field field(std::string_view key, const About& about) {
-  using Object = typename fields::MemberOf<decltype(member)>::Object;
+  using Object = Of;
   using Member = typename fields::MemberOf<decltype(member)>::Member;
   Field made{.key = key, .kind = fields::kind_of<Member>(), .about = about};
+  if constexpr (fields::numbers_of<Member> != 0)
+    made.about.fewest = made.about.most = fields::numbers_of<Member>;
   made.get = [](const void* object) {
     return fields::value_of(static_cast<const Object*>(object)->*member);
   };
@@ -182,12 +251,26 @@ constexpr Field field(std::string_view key, const About& about) {
   return made;
 }
 
-/// A field whose value is a table of fields itself.
+/// A field whose value is a table of fields itself; where the member is optional it may be missing.
 template <auto member>
 constexpr Field table_field(std::string_view key, const Table& table, const About& about) {
   using Object = typename fields::MemberOf<decltype(member)>::Object;
+  using Member = typename fields::MemberOf<decltype(member)>::Member;
   Field made{.key = key, .kind = FieldKind::table, .about = about, .table = &table};
-  made.inside = [](void* object) -> void* { return &(static_cast<Object*>(object)->*member); };
+  made.inside = [](void* object) -> void* {
+    Member& inside = static_cast<Object*>(object)->*member;
+    if constexpr (fields::is_optional<Member>)
+      return &inside.emplace();
+    else
+      return &inside;
+  };
+  made.look_inside = [](const void* object) -> const void* {
+    const Member& inside = static_cast<const Object*>(object)->*member;
+    if constexpr (fields::is_optional<Member>)
+      return inside ? &*inside : nullptr;
+    else
+      return &inside;
+  };
   return made;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iterator>
 
 #include "core/file.hpp"
@@ -42,7 +43,8 @@ const Format* format_of(std::string_view text, std::string_view name) {
   return nullptr;
 }
 
-Result<ReadScene> parse_text(std::string_view text, const std::string& name) {
+Result<ReadScene> parse_text(std::string_view text, const std::string& name,
+                             const ReadOptions& options) {
   const Format* const format = format_of(text, name);
   // The lab's reader takes whatever begins with a number, and OBJ has a v as NFF does.
   const bool is_toml = format != nullptr && format->parse == parse_toml;
@@ -57,7 +59,7 @@ Result<ReadScene> parse_text(std::string_view text, const std::string& name) {
   if (format == nullptr)
     return failure(name, phrase(Word::path_no_format), phrase(Word::path_formats));
   Result<ReadScene> read = text.size() <= format->largest
-                               ? format->parse(text, name)
+                               ? format->parse(text, name, options)
                                : failure(name, phrase(Word::path_too_large, format->largest));
   if (read) read->scene.format = format->name;
   return read;
@@ -65,8 +67,9 @@ Result<ReadScene> parse_text(std::string_view text, const std::string& name) {
 
 }  // namespace
 
-Result<ReadScene> parse_scene(std::string_view text, const std::string& name) {
-  return parse_text(text, name);
+Result<ReadScene> parse_scene(std::string_view text, const std::string& name,
+                              const ReadOptions& options) {
+  return parse_text(text, name, options);
 }
 
 Result<WrittenScene> write_scene(const Scene& scene, std::string_view format) {
@@ -80,7 +83,7 @@ Result<WrittenScene> write_scene(const Scene& scene, std::string_view format) {
                  fmt::format("formats: {}", keys));
 }
 
-Result<ReadScene> read_scene(const std::string& path) {
+Result<ReadScene> read_scene(const std::string& path, const ReadOptions& given) {
   constexpr std::size_t kBeginning = std::size_t{1} << 16, kBlock = std::size_t{1} << 18;
   const Format& nff = kFormats.front();
   if (std::optional<LargeFile> file = LargeFile::open(path, nff.largest)) {
@@ -101,7 +104,9 @@ Result<ReadScene> read_scene(const std::string& path) {
   };
   const Result<std::string> text = read_file(path, nff.largest, goes_on);
   if (!text) return tl::make_unexpected(text.error());
-  return parse_text(*text, path == "-" ? "standard input" : path);
+  ReadOptions options = given;
+  if (!options.folder) options.folder = std::filesystem::path(path).parent_path().string();
+  return parse_text(*text, path == "-" ? "standard input" : path, options);
 }
 
 }  // namespace zraka

@@ -21,7 +21,8 @@ struct Format {
   std::string_view ending;  ///< of its files' names, if any tells
   std::uint64_t largest;  ///< bytes that a file may have; the first format's is the largest of all
   Likeness (*likeness)(std::string_view text);  ///< after a byte order mark, if there is one
-  Result<ReadScene> (*parse)(std::string_view text, const std::string& name);
+  Result<ReadScene> (*parse)(std::string_view text, const std::string& name,
+                             const ReadOptions& options);
   Result<WrittenScene> (*write)(const Scene& scene);
 };
 
@@ -31,7 +32,8 @@ inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 /// Sure where the text begins, comments aside, with a statement of NFF, whether or not it may stand
 /// first.
 Likeness likeness_to_nff(std::string_view text);
-Result<ReadScene> parse_nff(std::string_view text, const std::string& name);
+Result<ReadScene> parse_nff(std::string_view text, const std::string& name,
+                    const ReadOptions& options = {});
 /// The same by blocks of about so many bytes, on all threads.
 Result<ReadScene> parse_nff_by_blocks(std::string_view text, const std::string& name,
                                       std::size_t block);
@@ -42,10 +44,12 @@ std::optional<ReadScene> read_nff_by_blocks(LargeFile& file, const std::string& 
 /// Sure where the text begins with a label or a value, possible where its first line may have been
 /// meant as one, or if it is empty or no text, which the reader has words for.
 Likeness likeness_to_lab_input(std::string_view text);
-Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name);
+Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name,
+                    const ReadOptions& options = {});
 /// Sure where the text begins, comments aside, with a header or a key and '='.
 Likeness likeness_to_toml(std::string_view text);
-Result<ReadScene> parse_toml(std::string_view text, const std::string& name);
+Result<ReadScene> parse_toml(std::string_view text, const std::string& name,
+                    const ReadOptions& options = {});
 
 /// Writers of the same formats.
 Result<WrittenScene> write_nff(const Scene& scene);

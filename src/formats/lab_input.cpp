@@ -356,7 +356,8 @@ Likeness likeness_to_lab_input(std::string_view text) {
                                                                        : Likeness::none;
 }
 
-Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name) {
+Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name,
+                    const ReadOptions&) {
   return Reader(text, name).read();
 }
 

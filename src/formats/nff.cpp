@@ -125,7 +125,8 @@ Likeness likeness_to_nff(std::string_view text) {
   return Likeness::none;
 }
 
-Result<ReadScene> parse_nff(std::string_view text, const std::string& name) {
+Result<ReadScene> parse_nff(std::string_view text, const std::string& name,
+                    const ReadOptions&) {
   constexpr std::size_t kBlock = std::size_t{1} << 20;
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   if (!one_thread() && text.size() > 2 * kBlock) return parse_nff_by_blocks(text, name, kBlock);

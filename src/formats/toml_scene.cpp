@@ -8,6 +8,7 @@
 #include "formats/formats.hpp"
 #include "language/facts.hpp"
 #include "language/sections.hpp"
+#include "scene/check_bodies.hpp"
 
 namespace zraka {
 namespace {
@@ -38,15 +39,20 @@ void read_section(const Section& section, const toml::Node& node, Input& input) 
 
 }  // namespace
 
-Result<ReadScene> parse_toml(std::string_view text, const std::string& name) {
+Result<ReadScene> parse_toml(std::string_view text, const std::string& name,
+                             const ReadOptions& options) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   toml::Document document = toml::parse(text);
   language::Problems problems(text, name);
   problems.take(std::move(document.problems));
   ReadScene read;
-  Input input{read.scene, problems};
+  Input input{read.scene, problems, options};
 
   const toml::Node none;
+  for (const Section* section : language::kSections)
+    if (const toml::Node* const node = document.root.find(section->key);
+        node != nullptr && section->begin != nullptr)
+      section->begin(*node, input);
   std::vector<std::string_view> known;
   for (const Section* section : language::kSections) {
     known.push_back(section->key);
@@ -58,10 +64,12 @@ Result<ReadScene> parse_toml(std::string_view text, const std::string& name) {
     else if (section->form == Section::Form::one)
       section->read(none, input);
   }
+  for (const Section* section : language::kSections)
+    if (section->end != nullptr) section->end(input);
   for (const toml::Node& child : document.root.children)
     if (std::find(known.begin(), known.end(), child.key) == known.end())
-      problems.unknown(child.key_begin, fmt::format("unknown section '{}'", shown(child.key)),
-                       child.key, known, "sections");
+      problems.error(child.key_begin, fmt::format("unknown section '{}'", shown(child.key)),
+                     language::hint_at_section(child.key, problems));
   const bool good = problems.errors() == 0;
   Diagnostics all = problems.finish();
   if (!good) return tl::make_unexpected(std::move(all));
@@ -90,25 +98,53 @@ Likeness likeness_to_toml(std::string_view text) {
   return Likeness::none;
 }
 
-Result<std::string> write_toml(const Scene& scene) {
-  language::Output output{scene};
-  std::set<std::string_view> taken;
-  for (const auto& [index, name] : scene.material_names) taken.insert(name);
-  for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
-    const auto named = scene.material_names.find(i);
-    std::string name =
-        named != scene.material_names.end() ? named->second : fmt::format("material_{}", i + 1);
-    while (named == scene.material_names.end() && taken.contains(name)) name += '_';
-    output.materials.push_back(std::move(name));
+namespace {
+
+/// Names of all things of a kind, of which some have one; the others get one that is free.
+template <class NameOf>
+std::vector<std::string> all_names(std::size_t count, const char* word, const NameOf& name_of) {
+  std::set<std::string> taken, used;
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (const std::string* const name = name_of(i)) taken.insert(*name);
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::string* const own = name_of(i);
+    std::string name = own != nullptr ? *own : fmt::format("{}_{}", word, i + 1);
+    while (used.contains(name) || (own == nullptr && taken.contains(name))) name += '_';
+    used.insert(name);
+    names.push_back(std::move(name));
   }
+  return names;
+}
+
+std::vector<std::string> all_names(std::size_t count, const char* word,
+                                   const std::map<std::uint32_t, std::string>& names) {
+  return all_names(count, word, [&](std::uint32_t i) {
+    const auto named = names.find(i);
+    return named == names.end() ? nullptr : &named->second;
+  });
+}
+
+}  // namespace
+
+Result<std::string> write_toml(const Scene& scene) {
+  Diagnostics problems;
+  const auto complain = [&](std::string message) {
+    if (problems.size() < toml::kEnoughProblems)
+      problems.push_back({.message = "the scene language cannot say this: " + std::move(message)});
+  };
+  check_references(scene, [&](std::string message, std::string) { complain(std::move(message)); });
+  if (!problems.empty()) return tl::make_unexpected(std::move(problems));
+  language::Output output{scene};
+  output.materials = all_names(scene.materials.size(), "material", scene.material_names);
+  output.text.textures = all_names(scene.textures.size(), "texture", scene.texture_names);
+  output.groups = all_names(scene.groups.size(), "group", [&](std::uint32_t i) {
+    return scene.groups[i].name.empty() ? nullptr : &scene.groups[i].name;
+  });
   for (const Section* section : language::kSections)
     if (section->write != nullptr) section->write(output);
   if (output.text.problems.empty()) return std::move(output.text.text);
-  Diagnostics problems;
-  for (std::string& problem : output.text.problems) {
-    if (problems.size() == toml::kEnoughProblems) break;
-    problems.push_back({.message = "the scene language cannot say this: " + std::move(problem)});
-  }
+  for (std::string& problem : output.text.problems) complain(std::move(problem));
   return tl::make_unexpected(std::move(problems));
 }
 

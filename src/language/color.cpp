@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/color.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 
 namespace zraka::language {
@@ -22,7 +24,20 @@ double light_of(unsigned byte) {
   return cube * cube * cube * cube;
 }
 
+/// What people write first.
+constexpr std::pair<std::string_view, std::string_view> kNames[] = {
+    {"black", "#000000"},  {"white", "#ffffff"},  {"gray", "#808080"},  {"grey", "#808080"},
+    {"red", "#ff0000"},    {"green", "#008000"},  {"blue", "#0000ff"},  {"yellow", "#ffff00"},
+    {"orange", "#ffa500"}, {"purple", "#800080"}, {"brown", "#a52a2a"}, {"pink", "#ffc0cb"},
+    {"cyan", "#00ffff"},   {"magenta", "#ff00ff"}};
+
 }  // namespace
+
+std::string hint_at_color(std::string_view name) {
+  for (const auto& [known, hex] : kNames)
+    if (known == name) return fmt::format("{} is \"{}\"", name, hex);
+  return "";
+}
 
 std::optional<Color> color_of_hex(std::string_view text) {
   if (text.size() != 7 || text.front() != '#') return std::nullopt;

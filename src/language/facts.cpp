@@ -20,6 +20,7 @@ std::string state_of(const Field& field, const Table& table) {
     return "not built yet";
   }
   if (field.about.required) return "required";
+  if (field.get == nullptr) return "";
   const std::string value = text_of(field, field.get(table.defaults()));
   return value.empty() || value == "\"\"" ? "" : fmt::format("default {}", value);
 }
@@ -65,6 +66,54 @@ std::string header_of(const Section& section) {
       return fmt::format("[{}.NAME]", section.key);
   }
   return "";
+}
+
+namespace {
+
+const Topic* find_kind(std::string_view word, const std::vector<Topic>& all) {
+  for (const Topic& topic : all)
+    if (topic.kind != nullptr && topic.kind->name == word) return &topic;
+  return nullptr;
+}
+
+/// "'fov_deg' below [camera]" where a section of which there is one has such a field.
+std::string place_of_field(std::string_view word, const std::vector<Topic>& all,
+                           const Problems& problems) {
+  std::vector<std::string_view> keys;
+  std::vector<const Section*> sections;
+  for (const Topic& topic : all) {
+    if (topic.section->form != Section::Form::one) continue;
+    for (const Table* table : tables_of(topic))
+      for (const Field& field : table->fields)
+        if (field.built) keys.push_back(field.key), sections.push_back(topic.section);
+  }
+  const std::string hint = problems.hint_at(word, keys, "");
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    if (hint == fmt::format("did you mean '{}'?", keys[i]))
+      return fmt::format("write {} = … below {}", keys[i], header_of(*sections[i]));
+  return "";
+}
+
+}  // namespace
+
+std::string hint_at_section(std::string_view word, const Problems& problems) {
+  if (problems.enough()) return "";
+  const std::vector<Topic> all = topics();
+  if (const Topic* const topic = find_kind(word, all))
+    return fmt::format("write {} with kind = {}", header_of(*topic->section),
+                       in_quotes(topic->kind->name));
+  std::vector<std::string_view> sections;
+  for (const Section* section : kSections) sections.push_back(section->key);
+  const std::string hint = problems.hint_at(word, sections, "sections");
+  if (hint.starts_with("did you mean")) return hint;
+  if (const std::string field = place_of_field(word, all, problems); !field.empty()) return field;
+  std::vector<std::string_view> kinds;
+  for (const Topic& topic : all)
+    if (topic.kind != nullptr) kinds.push_back(topic.kind->name);
+  const std::string kind = problems.hint_at(word, kinds, "");
+  for (const std::string_view each : kinds)
+    if (kind == fmt::format("did you mean '{}'?", each)) return hint_at_section(each, problems);
+  return hint;
 }
 
 std::string opening_of(const Topic& topic) {

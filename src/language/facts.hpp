@@ -35,4 +35,8 @@ std::string opening_of(const Topic& topic);
 /// [image], [[light]], [material.NAME]
 std::string header_of(const Section& section);
 
+/// What to write instead of something at the top of a file that is no section: the section that it
+/// is a kind or a field of, or whose name it is like.
+std::string hint_at_section(std::string_view word, const Problems& problems);
+
 }  // namespace zraka::language

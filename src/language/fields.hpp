@@ -13,6 +13,8 @@
 
 namespace zraka::language {
 
+struct Input;
+
 /// What a field's value has to be: "a number greater than 0".
 std::string expected_of(const Field& field);
 
@@ -26,11 +28,12 @@ struct Part {
 /// may be there, too, for the caller; any other key is a problem, and so are those that are
 /// missing. `what` names the object in messages: "sphere".
 void read_fields(const toml::Node& node, std::string_view what, std::span<const Part> parts,
-                 Problems& problems, std::string_view also = {});
+                 Input& input, std::string_view also = {});
 void read_fields(const toml::Node& node, const Table& table, std::string_view what, void* object,
-                 Problems& problems);
+                 Input& input);
 
-/// A node as a value of a kind; monostate if it is none, or of a kind that reads itself.
+/// A node as a value of a kind; monostate if it is none, or of a kind that has words of its own for
+/// what is wrong.
 FieldValue value_as(FieldKind kind, const toml::Node& node);
 
 /// Whether a field may have a value of its kind: what is out of its range it may not.
@@ -38,17 +41,21 @@ bool allowed(const Field& field, const FieldValue& value);
 
 /// TOML while it is written, and what it cannot say.
 struct Text {
-  std::string text;
-  std::vector<std::string> problems;
+  std::string text{};
+  std::vector<std::string> problems{};
+  std::vector<std::string> textures{};  ///< names
 };
 
-/// Appends "key = value", a line for every field that is required or differs from its default.
+/// "key = value" for every field that is required or differs from its default.
+std::vector<std::string> pairs_of(const Table& table, std::string_view what, const void* object,
+                                  Text& out);
+/// Appends these, a line each.
 void write_fields(const Table& table, std::string_view what, const void* object, Text& out);
 /// The same below a header, which stands there for nothing only if it is `needed`.
 void write_table(std::string_view header, bool needed, const Table& table, std::string_view what,
                  const void* object, Text& out);
 
-/// A value as TOML.
+/// A value as TOML; "" of a texture, whose name is elsewhere.
 std::string text_of(const Field& field, const FieldValue& value);
 std::string text_of(double number);
 std::string text_of(const Vec3& v);

@@ -30,24 +30,42 @@ void Problems::missing(std::size_t position, std::string message, std::string hi
   if (!broken_) error(position, std::move(message), std::move(hint));
 }
 
+namespace {
+
+/// "'a' or 'b'" of those known words of which the word is a part: fov of fov_deg.
+std::string words_with_part(std::string_view word, std::span<const std::string_view> known) {
+  std::string all;
+  for (const std::string_view each : known) {
+    std::string_view rest = each;
+    for (bool found = false; !rest.empty() && !found;) {
+      const std::size_t end = std::min(rest.find('_'), rest.size());
+      found = rest.substr(0, end) == word && end < each.size();
+      if (found) all += fmt::format("{}'{}'", all.empty() ? "" : " or ", each);
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string Problems::hint_at(std::string_view word, std::span<const std::string_view> known,
+                              std::string_view plural) const {
+  constexpr std::size_t kMostNamed = 20;
+  if (enough()) return "";  // to look for what was meant takes as long as all known words
+  if (const auto meant = nearest_of(word, {known.begin(), known.end()}))
+    return fmt::format("did you mean '{}'?", *meant);
+  if (const std::string meant = words_with_part(word, known); !meant.empty())
+    return fmt::format("did you mean {}?", meant);
+  if (known.empty()) return fmt::format("there are no {}", plural);
+  return fmt::format("{}: {}{}", plural,
+                     fmt::join(known.first(std::min(known.size(), kMostNamed)), ", "),
+                     known.size() > kMostNamed ? ", …" : "");
+}
+
 void Problems::unknown(std::size_t position, std::string message, std::string_view word,
                        std::span<const std::string_view> known, std::string_view plural) {
-  constexpr std::size_t kMostNamed = 20;
-  if (enough()) {  // to look for what was meant takes as long as all known words
-    ++errors_;
-    return;
-  }
-  std::string hint;
-  if (const auto meant = nearest_of(word, {known.begin(), known.end()})) {
-    hint = fmt::format("did you mean '{}'?", *meant);
-  } else if (known.empty()) {
-    hint = fmt::format("there are no {}", plural);
-  } else {
-    hint = fmt::format("{}: {}", plural,
-                       fmt::join(known.first(std::min(known.size(), kMostNamed)), ", "));
-    if (known.size() > kMostNamed) hint += ", …";
-  }
-  error(position, std::move(message), std::move(hint));
+  error(position, std::move(message), hint_at(word, known, plural));
 }
 
 void Problems::take(std::vector<toml::Problem>&& broken) {

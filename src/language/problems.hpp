@@ -25,6 +25,10 @@ class Problems {
   void unknown(std::size_t position, std::string message, std::string_view word,
                std::span<const std::string_view> known, std::string_view plural);
 
+  /// Such a hint.
+  std::string hint_at(std::string_view word, std::span<const std::string_view> known,
+                      std::string_view plural) const;
+
   void take(std::vector<toml::Problem>&& broken);
   std::size_t errors() const { return errors_; }
   bool enough() const { return found_.size() >= toml::kEnoughProblems; }

@@ -4,7 +4,10 @@
 #include <algorithm>
 
 #include "core/text.hpp"
-#include "language/fields.hpp"
+#include "language/color.hpp"
+#include "language/section.hpp"
+#include "language/textures.hpp"
+#include "language/transforms.hpp"
 
 namespace zraka::language {
 namespace {
@@ -62,32 +65,63 @@ void refuse_not_built(const toml::Node& node, const Field& field, std::string_vi
     problems.error(node.key_begin, fmt::format("{} of {} is not built yet", field.key, what));
 }
 
+void refuse(const toml::Node& node, const Field& field, std::string_view what, Problems& problems) {
+  std::string hint;
+  if (field.kind == FieldKind::color && node.kind == Kind::text) hint = hint_at_color(node.text);
+  problems.error(node.begin,
+                 fmt::format("{} of {} is {}: expected {}", field.key, what,
+                             shown(problems.source(node)), expected_of(field)),
+                 std::move(hint));
+}
+
+/// A list of tables, which whoever has the field reads.
+void check_shapes(const toml::Node& node, const Field& field, std::string_view what,
+                  Problems& problems) {
+  if (node.kind != Kind::array || node.children.size() < field.about.fewest)
+    return refuse(node, field, what, problems);
+  for (const toml::Node& child : node.children)
+    if (child.kind != Kind::table)
+      problems.error(child.begin, fmt::format("{} of {} has {} in it: expected {}", field.key, what,
+                                              shown(problems.source(child)), expected_of(field)));
+}
+
 FieldValue read_value(const toml::Node& node, const Field& field, std::string_view what,
-                      Problems& problems) {
+                      Input& input) {
+  Problems& problems = input.problems;
   if (field.kind == FieldKind::choice) return read_choice(node, field, what, problems);
+  if (field.kind == FieldKind::transform) {
+    const std::optional<Transform> transform = read_transform(node, field.key, what, problems);
+    return transform ? FieldValue(*transform) : FieldValue();
+  }
   FieldValue value = value_as(field.kind, node);
   if (value.index() != 0 && allowed(field, value)) return value;
+  const bool may_be_texture = field.about.textured || field.kind == FieldKind::texture;
+  const bool no_color = field.kind == FieldKind::color && node.kind == Kind::text &&
+                        node.text.starts_with('#') && !input.textures.contains(node.text);
+  if (may_be_texture && !no_color && (node.kind == Kind::text || node.kind == Kind::table)) {
+    const std::optional<std::uint32_t> texture = read_texture(node, field, what, input);
+    return texture ? FieldValue(TextureIndex{*texture}) : FieldValue();
+  }
   if (is_later(node, field))
     problems.error(node.begin, fmt::format("{} for {} of {} is not built yet", field.about.later,
                                            field.key, what));
   else
-    problems.error(node.begin, fmt::format("{} of {} is {}: expected {}", field.key, what,
-                                           shown(problems.source(node)), expected_of(field)));
+    refuse(node, field, what, problems);
   return {};
 }
 
 void read_field(const toml::Node& node, const Field& field, std::string_view what, void* object,
-                Problems& problems) {
+                Input& input) {
+  Problems& problems = input.problems;
   if (!field.built) return refuse_not_built(node, field, what, problems);
+  if (field.kind == FieldKind::shapes) return check_shapes(node, field, what, problems);
   if (field.kind == FieldKind::table) {
     if (node.kind == Kind::table)
       return read_fields(node, *field.table, fmt::format("{} of {}", field.key, what),
-                         field.inside(object), problems);
-    return problems.error(node.begin,
-                          fmt::format("{} of {} is {}: expected {}", field.key, what,
-                                      shown(problems.source(node)), expected_of(field)));
+                         field.inside(object), input);
+    return refuse(node, field, what, problems);
   }
-  FieldValue value = read_value(node, field, what, problems);
+  FieldValue value = read_value(node, field, what, input);
   if (value.index() != 0) field.set(object, std::move(value));
 }
 
@@ -102,14 +136,15 @@ std::string_view key_of_symbol(std::string_view symbol, std::span<const Part> pa
 }  // namespace
 
 void read_fields(const toml::Node& node, std::string_view what, std::span<const Part> parts,
-                 Problems& problems, std::string_view also) {
+                 Input& input, std::string_view also) {
+  Problems& problems = input.problems;
   std::size_t read = 0;
   for (const Part& part : parts)
     for (const Field& field : part.table->fields) {
       const toml::Node* const child = node.find(field.key);
       read += child != nullptr;
       if (child != nullptr)
-        read_field(*child, field, what, part.object, problems);
+        read_field(*child, field, what, part.object, input);
       else if (field.about.required && field.built)
         problems.missing(node.begin, fmt::format("{} has no {}: expected {}, {}", what, field.key,
                                                  field.about.text, expected_of(field)));
@@ -134,9 +169,9 @@ void read_fields(const toml::Node& node, std::string_view what, std::span<const 
 }
 
 void read_fields(const toml::Node& node, const Table& table, std::string_view what, void* object,
-                 Problems& problems) {
+                 Input& input) {
   const Part part{&table, object};
-  read_fields(node, what, {&part, 1}, problems);
+  read_fields(node, what, {&part, 1}, input);
 }
 
 }  // namespace zraka::language

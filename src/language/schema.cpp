@@ -5,6 +5,8 @@
 #include "core/json.hpp"
 #include "language/help.hpp"
 #include "language/sections.hpp"
+#include "language/shapes.hpp"
+#include "language/textures.hpp"
 
 namespace zraka::language {
 namespace {
@@ -17,11 +19,21 @@ struct JsonOf {
   Json operator()(const Chosen& chosen) const {
     return field.about.choices[static_cast<std::size_t>(chosen.index)].name;
   }
-  Json operator()(const Points& points) const {
+  template <class T>
+  Json operator()(const std::vector<T>& values) const {
     Json all = Json::array();
-    for (const Vec3& point : points) all.push_back((*this)(point));
+    for (const T& value : values) all.push_back((*this)(value));
     return all;
   }
+  Json operator()(const CornerUvs& uvs) const {
+    Json all = Json::array();
+    for (const auto& [u, v] : uvs) all.push_back({u, v});
+    return all;
+  }
+  // Only what moves nothing is anybody's default.
+  Json operator()(const Transform&) const { return Json::array(); }
+  Json operator()(const TextureIndex&) const { return {}; }
+  Json operator()(const ShapeTables&) const { return {}; }
   Json operator()(const auto& value) const { return value; }
 };
 
@@ -54,6 +66,51 @@ Json color_of(const About& about) {
   return {{"anyOf", any}};
 }
 
+/// What stands among the definitions.
+Json defined(const char* name) {
+  Json all = Json::array();  // beside a bare $ref no other key would count
+  all.push_back({{"$ref", std::string("#/definitions/") + name}});
+  return {{"allOf", all}};
+}
+
+/// Names cannot be checked.
+Json or_texture(Json value) {
+  Json any = Json::array();
+  any.push_back(std::move(value));
+  any.push_back({{"type", "string"}});
+  any.push_back(defined("texture"));
+  return {{"anyOf", any}};
+}
+
+/// A table of these keys and no others.
+Json table_with(std::initializer_list<std::pair<const char*, Json>> keys) {
+  Json properties = Json::object(), required = Json::array();
+  for (const auto& [key, value] : keys) {
+    properties[key] = value;
+    required.push_back(key);
+  }
+  Json json = {{"type", "object"}};
+  json["properties"] = std::move(properties);
+  json["required"] = std::move(required);
+  json["additionalProperties"] = false;
+  return json;
+}
+
+Json transform_schema() {
+  const Json number = number_of({}, "number"), vector = array_of(number, 3, 3);
+  Json direction = vector;
+  direction["not"] = {{"const", {0, 0, 0}}};
+  Json scale = Json::array();
+  scale.push_back(number);
+  scale.push_back(vector);
+  Json steps = Json::array();
+  steps.push_back(table_with({{"scale", {{"anyOf", scale}}}}));
+  steps.push_back(table_with({{"rotate", direction}, {"by_deg", number}}));
+  steps.push_back(table_with({{"translate", vector}}));
+  steps.push_back(table_with({{"matrix", array_of(array_of(number, 4, 4), 3, 3)}}));
+  return array_of({{"anyOf", steps}}, 0, std::numeric_limits<std::size_t>::max());
+}
+
 Json choice_of(const About& about) {
   Json names = Json::array();
   for (const Choice& choice : about.choices)
@@ -78,8 +135,7 @@ Json only_value(const Field& field) {
 
 Json object_of(const std::vector<const Table*>& tables, const Kind* kind, bool kind_needed);
 
-Json value_of(const Field& field) {
-  if (!field.built) return only_value(field);
+Json plain_value_of(const Field& field) {
   const About& about = field.about;
   switch (field.kind) {
     case FieldKind::number:
@@ -96,12 +152,34 @@ Json value_of(const Field& field) {
       return {{"type", "string"}};
     case FieldKind::points:
       return array_of(vector_of(about), about.fewest, about.most);
+    case FieldKind::colors:
+      return array_of(color_of(about), about.fewest, about.most);
+    case FieldKind::numbers:
+      return array_of(number_of(about.range, "number"), about.fewest, about.most);
+    case FieldKind::uvs:
+      return array_of(array_of(number_of({}, "number"), 2, 2), 3, 3);
+    case FieldKind::transform:
+      return defined("transform");
+    case FieldKind::texture: {
+      Json any = Json::array();
+      any.push_back({{"type", "string"}});
+      any.push_back(defined("texture"));
+      return {{"anyOf", any}};
+    }
+    case FieldKind::shapes:
+      return array_of(defined("shape"), about.fewest, about.most);
     case FieldKind::choice:
       return choice_of(about);
     case FieldKind::table:
       return object_of({field.table}, nullptr, false);
   }
   return {};
+}
+
+Json value_of(const Field& field) {
+  if (!field.built) return only_value(field);
+  Json value = plain_value_of(field);
+  return field.about.textured ? or_texture(std::move(value)) : value;
 }
 
 Json schema_of(const Field& field, const Table& table) {
@@ -143,7 +221,9 @@ Json item_of(const Section& section) {
 }
 
 Json schema_of(const Section& section) {
-  Json json = item_of(section);
+  Json json = section.family == &kShapeFamily     ? defined("shape")
+              : section.family == &kTextureFamily ? defined("texture")
+                                                  : item_of(section);
   switch (section.form) {
     case Section::Form::one:
       return json;
@@ -165,7 +245,11 @@ std::string json_schema() {
                      {"title", "A scene of zraka"},
                      {"type", "object"},
                      {"properties", properties},
-                     {"additionalProperties", false}};
+                     {"additionalProperties", false},
+                     {"definitions",
+                      {{"shape", item_of(section::shape)},
+                       {"texture", item_of(section::texture)},
+                       {"transform", transform_schema()}}}};
   return json.dump(2) + "\n";
 }
 

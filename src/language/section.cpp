@@ -15,9 +15,6 @@ void Item::complain(std::string_view key, std::string message, std::string hint)
                        std::move(hint));
 }
 
-namespace {
-
-/// The kind that a table says it is of; nullptr, and the problem told, if it is none.
 const Kind* kind_of_node(const toml::Node& node, const Family& family, Problems& problems) {
   std::string_view name = family.default_kind;
   const toml::Node* const kind = node.find("kind");
@@ -50,8 +47,6 @@ const Kind* kind_of_node(const toml::Node& node, const Family& family, Problems&
                    name, known(), fmt::format("kinds of {}", family.name));
   return nullptr;
 }
-
-}  // namespace
 
 void read_item(const toml::Node& node, const Family& family, Input& input, void* common) {
   Item item{input, node, family, common};

@@ -3,30 +3,54 @@
 // file each, and a line in sections.hpp or in a list of kinds.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
+#include <zraka/formats.hpp>
 #include <zraka/scene.hpp>
 
 #include "core/fields.hpp"
+#include "core/scene_folder.hpp"
+#include "image/scene_images.hpp"
 #include "language/fields.hpp"
 
 namespace zraka::language {
 
+/// Of the numbers of a transform.
+using TransformBits = std::array<std::uint64_t, 12>;
+
+/// An instance in a group, or in the scene itself, names a group.
+struct GroupUse {
+  std::uint32_t in = kNoGroup, group = 0;
+  std::size_t position = 0;  ///< in the file
+  static constexpr std::uint32_t kNoGroup = 0xFFFFFFFF;
+};
+
 /// A scene while it is read.
 struct Input {
+  using Names = std::unordered_map<std::string_view, std::uint32_t>;
+
   Scene& scene;
   Problems& problems;
-  std::unordered_map<std::string_view, std::uint32_t> materials{};  ///< by name
+  const ReadOptions& options;
+  Names materials{}, textures{}, groups{};
+  std::map<TransformBits, std::uint32_t> transforms{};  ///< Object::transform by what it is
+  SceneImages images{SceneFolder{options.folder.value_or(""), options.allow_outside}};
+  /// Textures of pictures that do not say how light became numbers, and the nodes of their files.
+  std::map<std::uint32_t, const toml::Node*> open_transfers{};
+  std::vector<GroupUse> group_uses{};
 };
 
 /// A scene while it is written.
 struct Output {
   const Scene& scene;
   Text text{};
-  std::vector<std::string> materials{};  ///< names
+  std::vector<std::string> materials{}, groups{};  ///< names
 };
 
 struct Family;
@@ -36,9 +60,7 @@ struct Item {
   Input& input;
   const toml::Node& node;
   const Family& family;
-  void* common;  ///< its fields of the family
-  std::uint32_t material = 0;
-  std::string_view name{};
+  void* common;  ///< its fields of the family, and what the family needs besides
 
   /// A problem with a key, or where it is not there, with the thing.
   void complain(std::string_view key, std::string message, std::string hint = {}) const;
@@ -49,6 +71,7 @@ struct Kind {
   std::string_view name;  ///< the value of `kind`
   Table table;
   void (*read)(const Kind& kind, Item& item);
+  bool closed = false;  ///< of shapes: may be a member of CSG
 };
 
 /// Kinds of one thing.
@@ -64,17 +87,22 @@ struct Family {
 /// A kind that is read into an Entry, which put() takes into the scene if all of it is right.
 template <class Entry, void (*put)(Entry&, Item&)>
 constexpr Kind kind_of(std::string_view name, std::string_view called, std::string_view text,
-                       std::span<const Field> fields) {
-  return {name, table_of<Entry>(called, text, fields), [](const Kind& kind, Item& item) {
+                       std::span<const Field> fields, bool closed = false) {
+  return {name, table_of<Entry>(called, text, fields),
+          [](const Kind& kind, Item& item) {
             Entry entry{};
             const Part parts[] = {{&kind.table, &entry}, {&item.family.common, item.common}};
             Problems& problems = item.input.problems;
             const std::size_t before = problems.errors();
-            read_fields(item.node, kind.table.name, parts, problems, "kind");
+            read_fields(item.node, kind.table.name, parts, item.input, "kind");
             if (item.family.prepare != nullptr) item.family.prepare(item);
             if (problems.errors() == before) put(entry, item);
-          }};
+          },
+          closed};
 }
+
+/// The kind that a table says it is of; nullptr, and the problem told, if it is none.
+const Kind* kind_of_node(const toml::Node& node, const Family& family, Problems& problems);
 
 /// Reads a thing of the kind that its table says.
 void read_item(const toml::Node& node, const Family& family, Input& input, void* common = nullptr);
@@ -91,6 +119,9 @@ struct Section {
   /// there, with an empty one. nullptr: not built yet.
   void (*read)(const toml::Node& node, Input& input) = nullptr;
   void (*write)(Output& output) = nullptr;
+  /// Before anything is read, with all of the section; and when all of the file has been read.
+  void (*begin)(const toml::Node& all, Input& input) = nullptr;
+  void (*end)(Input& input) = nullptr;
 };
 
 }  // namespace zraka::language

@@ -7,6 +7,7 @@
 
 #include "language/color.hpp"
 #include "language/fields.hpp"
+#include "language/transforms.hpp"
 
 namespace zraka::language {
 namespace {
@@ -56,15 +57,35 @@ FieldValue color_of(const toml::Node& node) {
   return v != nullptr ? FieldValue(Color{v->x, v->y, v->z}) : FieldValue();
 }
 
-FieldValue points_of(const toml::Node& node) {
+/// A list of what is a T by itself.
+template <class T>
+FieldValue list_of(const toml::Node& node, FieldValue (*one)(const toml::Node&)) {
   if (node.kind != Kind::array) return {};
-  Points points;
+  std::vector<T> all;
   for (const toml::Node& child : node.children) {
-    const FieldValue value = vector_of(child);
+    const FieldValue value = one(child);
     if (value.index() == 0) return {};
-    points.push_back(std::get<Vec3>(value));
+    all.push_back(std::get<T>(value));
   }
-  return points;
+  return all;
+}
+
+FieldValue number_of(const toml::Node& node) {
+  return is_number(node) ? FieldValue(node.number) : FieldValue();
+}
+
+FieldValue uvs_of(const toml::Node& node) {
+  CornerUvs uvs{};
+  if (node.kind != Kind::array || node.children.size() != uvs.size()) return {};
+  for (std::size_t corner = 0; corner < uvs.size(); ++corner) {
+    const toml::Node& uv = node.children[corner];
+    if (uv.kind != Kind::array || uv.children.size() != 2) return {};
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!is_number(uv.children[i])) return {};
+      uvs[corner][i] = static_cast<float>(uv.children[i].number);
+    }
+  }
+  return uvs;
 }
 
 struct Judge {
@@ -80,15 +101,33 @@ struct Judge {
            std::all_of(points.begin(), points.end(),
                        [&](const Vec3& point) { return in_range(point, about); });
   }
+  bool operator()(const Colors& colors) const {
+    return colors.size() >= about.fewest && std::all_of(colors.begin(), colors.end(), *this);
+  }
+  bool operator()(const Numbers& numbers) const {
+    return numbers.size() >= about.fewest && numbers.size() <= about.most &&
+           std::all_of(numbers.begin(), numbers.end(), *this);
+  }
+  bool operator()(const CornerUvs& uvs) const {
+    return std::all_of(uvs.begin(), uvs.end(), [](const std::array<float, 2>& uv) {
+      return std::isfinite(uv[0]) && std::isfinite(uv[1]);
+    });
+  }
+  bool operator()(const Transform& transform) const { return is_readable(transform); }
   bool operator()(const auto&) const { return true; }
 };
+
+/// "3", "3 or more".
+std::string count_of(const About& about) {
+  return fmt::format("{}{}", about.fewest, about.fewest == about.most ? "" : " or more");
+}
 
 }  // namespace
 
 FieldValue value_as(FieldKind kind, const toml::Node& node) {
   switch (kind) {
     case FieldKind::number:
-      return is_number(node) ? FieldValue(node.number) : FieldValue();
+      return number_of(node);
     case FieldKind::integer:
       return node.kind == Kind::integer ? FieldValue(node.integer) : FieldValue();
     case FieldKind::boolean:
@@ -100,8 +139,17 @@ FieldValue value_as(FieldKind kind, const toml::Node& node) {
     case FieldKind::text:
       return node.kind == Kind::text ? FieldValue(std::string(node.text)) : FieldValue();
     case FieldKind::points:
-      return points_of(node);
+      return list_of<Vec3>(node, vector_of);
+    case FieldKind::colors:
+      return list_of<Color>(node, color_of);
+    case FieldKind::numbers:
+      return list_of<double>(node, number_of);
+    case FieldKind::uvs:
+      return uvs_of(node);
     case FieldKind::choice:
+    case FieldKind::transform:
+    case FieldKind::texture:
+    case FieldKind::shapes:
     case FieldKind::table:
       break;
   }
@@ -114,9 +162,10 @@ bool allowed(const Field& field, const FieldValue& value) {
 
 std::string expected_of(const Field& field) {
   const About& about = field.about;
+  const std::string_view or_texture = about.textured ? ", or a texture" : "";
   switch (field.kind) {
     case FieldKind::number:
-      return "a number" + range_of(about.range, true);
+      return fmt::format("a number{}{}", range_of(about.range, true), or_texture);
     case FieldKind::integer:
       return "a whole number" + range_of(about.range, true);
     case FieldKind::boolean:
@@ -126,15 +175,37 @@ std::string expected_of(const Field& field) {
                  ? "a direction [x, y, z], not all 0"
                  : "[x, y, z], finite numbers" + range_of(about.range, false);
     case FieldKind::color:
-      return fmt::format("a colour: [r, g, b]{}, one number for grey, or \"#rrggbb\"",
-                         range_of(about.range, false));
+      return fmt::format("a colour: [r, g, b]{}, one number for grey, or \"#rrggbb\"{}",
+                         range_of(about.range, false), or_texture);
     case FieldKind::text:
-      return about.unit == Unit::name_of_material ? "the name of a material, in quotes"
-                                                  : "a text in quotes";
+      switch (about.unit) {
+        case Unit::name_of_material:
+          return "the name of a material, in quotes";
+        case Unit::name_of_group:
+          return "the name of a group, in quotes";
+        case Unit::picture:
+          return "the name of a picture's file, in quotes";
+        case Unit::mesh:
+          return "the name of an .obj, .ply or .stl file, in quotes";
+        default:
+          return "a text in quotes";
+      }
     case FieldKind::points:
-      return about.fewest == about.most
-                 ? fmt::format("{} of [x, y, z] in brackets", about.fewest)
-                 : fmt::format("{} or more of [x, y, z] in brackets", about.fewest);
+      return count_of(about) + " of [x, y, z] in brackets";
+    case FieldKind::colors:
+      return count_of(about) + " colours in brackets: [r, g, b]" + range_of(about.range, false) +
+             ", one number for grey, or \"#rrggbb\"";
+    case FieldKind::numbers:
+      return count_of(about) + " finite numbers in brackets" + range_of(about.range, false);
+    case FieldKind::uvs:
+      return "3 of [u, v] in brackets, finite numbers";
+    case FieldKind::transform:
+      return expected_transform();
+    case FieldKind::texture:
+      return "the name of a texture, in quotes, or a table of one: {kind = …}";
+    case FieldKind::shapes:
+      return fmt::format("a list of shapes: [{{kind = …}}, …]{}",
+                         about.fewest > 0 ? fmt::format(", {} or more", about.fewest) : "");
     case FieldKind::choice: {
       std::vector<std::string> names;
       for (const Choice& choice : about.choices)

@@ -5,7 +5,9 @@
 #include <bit>
 #include <cmath>
 
+#include "core/text.hpp"
 #include "language/fields.hpp"
+#include "language/transforms.hpp"
 
 namespace zraka::language {
 namespace {
@@ -35,22 +37,18 @@ bool is_bare(char c) {
          c == '-';
 }
 
-/// Only reading writes into an object.
-const void* inside(const Field& field, const void* object) {
-  return field.inside(const_cast<void*>(object));
+/// As a double that reads as this float: its few digits do where they are enough.
+std::string text_of_float(float number) {
+  const std::string few = fmt::format("{}", number);
+  const double read = parse_number(few).value_or(number);
+  return static_cast<float>(read) == number ? text_of(read) : text_of(static_cast<double>(number));
 }
 
-std::string inline_table(const Table& table, const void* object) {
-  std::string text;
-  for (const Field& field : table.fields) {
-    if (!field.built) continue;
-    const std::string value = field.kind == FieldKind::table
-                                  ? inline_table(*field.table, inside(field, object))
-                                  : text_of(field, field.get(object));
-    if (!value.empty())
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", field.key, value);
-  }
-  return "{" + text + "}";
+/// A texture's name; a problem where it has none, which is not there.
+std::string name_of(const TextureIndex& texture, Text& out) {
+  if (texture.index < out.textures.size()) return in_quotes(out.textures[texture.index]);
+  out.problems.push_back(fmt::format("texture {} of {}", texture.index, out.textures.size()));
+  return "\"\"";
 }
 
 }  // namespace
@@ -100,47 +98,75 @@ std::string key_of(std::string_view name) {
   return bare ? std::string(name) : in_quotes(name);
 }
 
+namespace {
+
+struct Writer {
+  const Field& field;
+
+  std::string operator()(std::monostate) const { return ""; }
+  std::string operator()(double number) const { return text_of(number); }
+  std::string operator()(std::int64_t number) const { return std::to_string(number); }
+  std::string operator()(bool truth) const { return truth ? "true" : "false"; }
+  std::string operator()(const Vec3& v) const { return text_of(v); }
+  std::string operator()(const Color& c) const {
+    return same(c.r, c.g) && same(c.g, c.b) ? text_of(c.r) : text_of(Vec3{c.r, c.g, c.b});
+  }
+  std::string operator()(const std::string& text) const { return in_quotes(text); }
+  std::string operator()(const Chosen& chosen) const {
+    return in_quotes(field.about.choices[static_cast<std::size_t>(chosen.index)].name);
+  }
+  template <class T>
+  std::string operator()(const std::vector<T>& values) const {
+    std::string text;
+    for (const T& value : values) text += (text.empty() ? "" : ", ") + (*this)(value);
+    return "[" + text + "]";
+  }
+  std::string operator()(const CornerUvs& uvs) const {
+    std::string text;
+    for (const auto& [u, v] : uvs)
+      text +=
+          fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", text_of_float(u), text_of_float(v));
+    return "[" + text + "]";
+  }
+  std::string operator()(const Transform& transform) const { return text_of(transform); }
+  std::string operator()(const TextureIndex&) const { return ""; }
+  std::string operator()(const ShapeTables& shapes) const { return shapes.text; }
+};
+
+}  // namespace
+
 std::string text_of(const Field& field, const FieldValue& value) {
-  struct Writer {
-    const Field& field;
-    std::string operator()(std::monostate) const { return ""; }
-    std::string operator()(double number) const { return text_of(number); }
-    std::string operator()(std::int64_t number) const { return std::to_string(number); }
-    std::string operator()(bool truth) const { return truth ? "true" : "false"; }
-    std::string operator()(const Vec3& v) const { return text_of(v); }
-    std::string operator()(const Color& c) const {
-      return same(c.r, c.g) && same(c.g, c.b) ? text_of(c.r) : text_of(Vec3{c.r, c.g, c.b});
-    }
-    std::string operator()(const std::string& text) const { return in_quotes(text); }
-    std::string operator()(const Chosen& chosen) const {
-      return in_quotes(field.about.choices[static_cast<std::size_t>(chosen.index)].name);
-    }
-    std::string operator()(const Points& points) const {
-      std::string text;
-      for (const Vec3& point : points) text += (text.empty() ? "" : ", ") + text_of(point);
-      return "[" + text + "]";
-    }
-  };
   return std::visit(Writer{field}, value);
 }
 
-void write_fields(const Table& table, std::string_view what, const void* object, Text& out) {
+std::vector<std::string> pairs_of(const Table& table, std::string_view what, const void* object,
+                                  Text& out) {
+  std::vector<std::string> pairs;
   for (const Field& field : table.fields) {
     if (!field.built) continue;
     if (field.kind == FieldKind::table) {
-      out.text +=
-          fmt::format("{} = {}\n", field.key, inline_table(*field.table, inside(field, object)));
+      if (const void* const inside = field.look_inside(object))
+        pairs.push_back(fmt::format(
+            "{} = {{{}}}", field.key,
+            fmt::join(pairs_of(*field.table, fmt::format("{} of {}", field.key, what), inside, out),
+                      ", ")));
       continue;
     }
     const FieldValue value = field.get(object);
     if (value.index() == 0 || (!field.about.required && same(value, field.get(table.defaults()))))
       continue;
-    const std::string written = text_of(field, value);
-    out.text += fmt::format("{} = {}\n", field.key, written);
+    const TextureIndex* const texture = std::get_if<TextureIndex>(&value);
+    const std::string written = texture != nullptr ? name_of(*texture, out) : text_of(field, value);
+    pairs.push_back(fmt::format("{} = {}", field.key, written));
     if (!allowed(field, value))
       out.problems.push_back(
           fmt::format("{} of {} is {}: expected {}", field.key, what, written, expected_of(field)));
   }
+  return pairs;
+}
+
+void write_fields(const Table& table, std::string_view what, const void* object, Text& out) {
+  for (const std::string& pair : pairs_of(table, what, object, out)) out.text += pair + "\n";
 }
 
 void write_table(std::string_view header, bool needed, const Table& table, std::string_view what,

@@ -21,6 +21,10 @@ struct ScalarDoubles {
   }
 };
 
+ZRAKA_INLINE bool select(bool m, bool a, bool b) {
+  return m ? a : b;
+}
+
 #ifdef ZRAKA_WIDE
 namespace wide {
 using Dd = hn::ScalableTag<double>;
@@ -29,9 +33,9 @@ inline constexpr Dd dd{};
 
 struct DoubleLanes {
   hn::Vec<wide::Dd> v;
-  DoubleLanes() = default;                                              // any values
-  ZRAKA_INLINE DoubleLanes(hn::Vec<wide::Dd> lanes) : v(lanes) {}       // NOLINT: implicit
-  ZRAKA_INLINE DoubleLanes(double all) : v(hn::Set(wide::dd, all)) {}   // NOLINT: implicit
+  DoubleLanes() = default;                                             // any values
+  ZRAKA_INLINE DoubleLanes(hn::Vec<wide::Dd> lanes) : v(lanes) {}      // NOLINT: implicit
+  ZRAKA_INLINE DoubleLanes(double all) : v(hn::Set(wide::dd, all)) {}  // NOLINT: implicit
 };
 struct DoubleMask {
   hn::Mask<wide::Dd> v;

@@ -10,6 +10,7 @@
 #include <zraka/render.hpp>
 
 #include "core/in_parallel.hpp"
+#include "scene/check_bodies.hpp"
 #include "scene/freeze.hpp"
 #include "shapes/shapes.hpp"
 
@@ -193,6 +194,7 @@ Diagnostics check(const Scene& scene) {
     complain(fmt::format("{} materials and {} lights are too many: at most {} of each fit",
                          scene.materials.size(), scene.lights.size(), kMostMaterials));
   Extent extent;
+  if (!check_references(scene, complain)) return found;
   const Whereabouts where(scene);
 #define ZRAKA_CHECK(Type, plural) check_objects(scene, where, scene.plural, extent, complain);
   ZRAKA_SHAPES(ZRAKA_CHECK)

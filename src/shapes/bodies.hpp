@@ -4,6 +4,7 @@
 
 #include <type_traits>
 
+#include "shapes/bodies/box.hpp"
 #include "shapes/bodies/csg.hpp"
 #include "shapes/bodies/ellipsoid.hpp"
 #include "shapes/bodies/instance.hpp"

@@ -18,7 +18,7 @@ constexpr Table kTable = table_of<Resolution>("image", "The size of the picture.
 
 void read(const toml::Node& node, Input& input) {
   Resolution size;
-  read_fields(node, kTable, "image", &size, input.problems);
+  read_fields(node, kTable, "image", &size, input);
   if (std::uint64_t{size.width} * size.height > kMaxPixels) {
     input.problems.error(node.begin, fmt::format("an image of {}×{} pixels is too large: expected "
                                                  "{} pixels at most",

@@ -33,7 +33,7 @@ constexpr Table kTable =
     table_of<RenderDefaults>("render", "How the picture is made; the command line wins.", kFields);
 
 void read(const toml::Node& node, Input& input) {
-  read_fields(node, kTable, "render", &input.scene.defaults, input.problems);
+  read_fields(node, kTable, "render", &input.scene.defaults, input);
 }
 
 void write(Output& output) {

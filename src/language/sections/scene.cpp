@@ -17,7 +17,7 @@ constexpr Table kTable =
     table_of<Scene>("scene", "The light that is everywhere, and the background.", kFields);
 
 void read(const toml::Node& node, Input& input) {
-  read_fields(node, kTable, "scene", &input.scene, input.problems);
+  read_fields(node, kTable, "scene", &input.scene, input);
 }
 
 void write(Output& output) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cone, the frustum and the cylinder.
+// The cone, the frustum and the cylinder: with caps they are bodies; without, primitives as long as
+// they are round.
 #include <fmt/format.h>
 
 #include "language/shapes.hpp"
+#include "scene/bounds_of.hpp"
 
 namespace zraka::language {
 namespace {
@@ -11,6 +13,7 @@ struct CylinderEntry {
   Vec3 base, top;
   double radius = 1;
   bool caps = true;
+  std::optional<Transform> texture_transform;
 };
 
 constexpr Field kCylinderFields[] = {
@@ -22,16 +25,28 @@ constexpr Field kCylinderFields[] = {
         "radius",
         {.text = "its radius", .unit = Unit::length, .range = greater_than(0), .required = true}),
     field<&CylinderEntry::caps>("caps", {.text = "whether its ends are closed"}),
+    texture_transform_field<CylinderEntry>(),
 };
 
-void refuse_caps(const Item& item, std::string_view kind) {
-  item.complain("caps", fmt::format("the caps of {} are not built yet", kind),
-                "caps = false draws the side alone");
+/// Until frustums are bodies.
+struct Frustum {
+  Vec3 base;
+  double base_radius;
+  Vec3 top;
+  double top_radius;
+  bool caps;
+};
+
+void put(const Frustum& f, const std::optional<Transform>& texture_transform, Item& item) {
+  if (f.caps)
+    return item.complain("caps", "caps are not built yet", "caps = false draws the side alone");
+  if (!keeps_balls(transform_of(item)))
+    return item.complain("transform", "what a transform makes oval is not built yet");
+  add_shape(item, Cone{f.base, f.base_radius, f.top, f.top_radius}, texture_transform);
 }
 
 void put(CylinderEntry& c, Item& item) {
-  if (c.caps) return refuse_caps(item, "cylinder");
-  add_shape(item, Cone{c.base, c.radius, c.top, c.radius});
+  put(Frustum{c.base, c.radius, c.top, c.radius, c.caps}, c.texture_transform, item);
 }
 
 struct ConeEntry {
@@ -40,6 +55,7 @@ struct ConeEntry {
   Vec3 top;
   double top_radius = 0;
   bool caps = true;
+  std::optional<Transform> texture_transform;
 };
 
 constexpr Field kConeFields[] = {
@@ -53,26 +69,30 @@ constexpr Field kConeFields[] = {
     field<&ConeEntry::top_radius>(
         "top_radius", {.text = "the radius there", .unit = Unit::length, .range = at_least(0)}),
     field<&ConeEntry::caps>("caps", {.text = "whether its ends are closed"}),
+    texture_transform_field<ConeEntry>(),
 };
 
 void put(ConeEntry& c, Item& item) {
-  if (c.caps) return refuse_caps(item, "cone");
-  add_shape(item, Cone{c.base, c.base_radius, c.top, c.top_radius});
+  put(Frustum{c.base, c.base_radius, c.top, c.top_radius, c.caps}, c.texture_transform, item);
 }
 
 }  // namespace
 
 constexpr Kind shape::cylinder = kind_of<CylinderEntry, put>(
-    "cylinder", "cylinder", "The side of a cylinder, seen from both sides.", kCylinderFields);
+    "cylinder", "cylinder", "A cylinder; without caps its side alone, seen from both sides.",
+    kCylinderFields);
 constexpr Kind shape::cone = kind_of<ConeEntry, put>(
-    "cone", "cone", "The side of a cone or of a frustum, seen from both sides.", kConeFields);
+    "cone", "cone", "A cone or a frustum; without caps its side alone, seen from both sides.",
+    kConeFields);
 
 void write_shape(const Cone& c, ShapeOutput& output) {
-  if (c.base_radius == c.apex_radius) {
-    const CylinderEntry entry{c.base, c.apex, c.base_radius, false};
+  const Frustum f{c.base, c.base_radius, c.apex, c.apex_radius, false};
+  if (f.base_radius == f.top_radius) {
+    const CylinderEntry entry{f.base, f.top, f.base_radius, f.caps, output.texture_transform};
     return output.write(shape::cylinder, &entry);
   }
-  const ConeEntry entry{c.base, c.base_radius, c.apex, c.apex_radius, false};
+  const ConeEntry entry{f.base,       f.base_radius, f.top,
+                        f.top_radius, f.caps,        output.texture_transform};
   output.write(shape::cone, &entry);
 }
 

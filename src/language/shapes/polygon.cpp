@@ -18,6 +18,7 @@ constexpr std::size_t kMostCorners = 20000;
 
 struct Polygon {
   Points points;
+  std::optional<Transform> texture_transform;
 };
 
 constexpr Field kFields[] = {
@@ -26,6 +27,7 @@ constexpr Field kFields[] = {
                                        .required = true,
                                        .fewest = 3,
                                        .most = kMostCorners}),
+    texture_transform_field<Polygon>(),
 };
 
 /// How far the points are from their plane, over how far they reach; none where they have no plane:
@@ -68,7 +70,8 @@ void put(Polygon& polygon, Item& item) {
                               "of the polygon's reach",
                               *out));
   for (const auto& [a, b, c] : triangulate(polygon.points))
-    add_shape(item, Triangle{polygon.points[a], polygon.points[b], polygon.points[c]});
+    add_shape(item, Triangle{polygon.points[a], polygon.points[b], polygon.points[c]},
+              polygon.texture_transform);
 }
 
 }  // namespace

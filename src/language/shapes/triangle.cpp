@@ -10,6 +10,8 @@ namespace {
 struct TriangleEntry {
   Vec3 a, b, c;
   std::optional<Points> normals;
+  std::optional<CornerUvs> uvs;
+  std::optional<Transform> texture_transform;
 };
 
 constexpr Field kFields[] = {
@@ -22,13 +24,20 @@ constexpr Field kFields[] = {
                     .unit = Unit::direction,
                     .fewest = 3,
                     .most = 3}),
-    not_built("uvs", "[u, v] of each corner"),
+    field<&TriangleEntry::uvs>("uvs",
+                               {.text = "[u, v] of each corner, else [0, 0], [1, 0] and [0, 1]"}),
+    texture_transform_field<TriangleEntry>(),
 };
 
 void put(TriangleEntry& t, Item& item) {
-  if (!t.normals) return add_shape(item, Triangle{t.a, t.b, t.c});
+  ShapeLists& shapes = *common_of(item).place.shapes;
+  if (!t.normals) {
+    add_shape(item, Triangle{t.a, t.b, t.c}, t.texture_transform);
+    return add_uvs(shapes.triangle_uvs, shapes.triangles.size(), t.uvs);
+  }
   const Points& n = *t.normals;
-  add_shape(item, SmoothTriangle{t.a, t.b, t.c, n[0], n[1], n[2]});
+  add_shape(item, SmoothTriangle{t.a, t.b, t.c, n[0], n[1], n[2]}, t.texture_transform);
+  add_uvs(shapes.smooth_triangle_uvs, shapes.smooth_triangles.size(), t.uvs);
 }
 
 }  // namespace
@@ -37,12 +46,14 @@ constexpr Kind shape::triangle = kind_of<TriangleEntry, put>(
     "triangle", "triangle", "A triangle, seen from both sides.", kFields);
 
 void write_shape(const Triangle& t, ShapeOutput& output) {
-  const TriangleEntry entry{t.a, t.b, t.c, {}};
+  const TriangleEntry entry{t.a, t.b, t.c, {}, output.uvs, output.texture_transform};
   output.write(shape::triangle, &entry);
 }
 
 void write_shape(const SmoothTriangle& t, ShapeOutput& output) {
-  const TriangleEntry entry{t.a, t.b, t.c, Points{t.normal_a, t.normal_b, t.normal_c}};
+  const TriangleEntry entry{t.a,        t.b,
+                            t.c,        Points{t.normal_a, t.normal_b, t.normal_c},
+                            output.uvs, output.texture_transform};
   output.write(shape::triangle, &entry);
 }
 

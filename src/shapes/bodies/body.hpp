@@ -38,6 +38,8 @@ struct BodySurface {
 /// ShapeTraits of a body has, in the space that it is described in,
 ///   kName, bounds(shape), distance_to(shape, point), check(shape)    as of every shape; bounds
 ///                                of what is unbounded are infinite
+///   kNouns                       what people call it, in English and in Croatian: nominative,
+///                                accusative, genitive, locative
 ///   kClosed                      whether it has an inside
 ///   kComposed                    whether it is made of other shapes (csg.hpp, instance.hpp), and
 ///                                has none of what follows

@@ -13,21 +13,22 @@ inline constexpr int kMostCsgCrossings = 512;
 inline constexpr int kMostCsgWaiting = 64;
 
 /// A step of an expression that puts the last operands together; steps from 0 on are members.
-ZRAKA_INLINE int csg_step(CsgOperation operation, int operands) {
+inline int csg_step(CsgOperation operation, int operands) {
   return -1 - (static_cast<int>(operation) + 3 * operands);
 }
-ZRAKA_INLINE CsgOperation csg_operation_of(int step) {
+inline CsgOperation csg_operation_of(int step) {
   return static_cast<CsgOperation>((-1 - step) % 3);
 }
-ZRAKA_INLINE int csg_operands(int step) {
+inline int csg_operands(int step) {
   return (-1 - step) / 3;
 }
 
 template <>
 struct ShapeTraits<Csg> {
   static constexpr const char* kName = "csg";
-  static constexpr const char* kNouns[2][4] = {{"CSG body", "CSG body", "CSG body", "CSG body"},
-                                            {"CSG-tijelo", "CSG-tijelo", "CSG-tijela", "CSG-tijelu"}};
+  static constexpr const char* kNouns[2][4] = {
+      {"compound solid", "compound solid", "compound solid", "compound solid"},
+      {"složeno tijelo", "složeno tijelo", "složenog tijela", "složenom tijelu"}};
   static constexpr bool kClosed = true, kComposed = true;
 };
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "shapes/bodies/body.hpp"
+#include "shapes/bodies/reach.hpp"
 #include "shapes/bodies/sphere_uv.hpp"
 
 namespace zraka {
@@ -13,13 +13,18 @@ template <>
 struct ShapeTraits<Ellipsoid> {
   static constexpr const char* kName = "ellipsoid";
   static constexpr const char* kNouns[2][4] = {{"ellipsoid", "ellipsoid", "ellipsoid", "ellipsoid"},
-                                            {"elipsoid", "elipsoid", "elipsoida", "elipsoidu"}};
+                                               {"elipsoid", "elipsoid", "elipsoida", "elipsoidu"}};
   static constexpr bool kClosed = true, kComposed = false;
   static constexpr int kNumbers = 0;
 
   static Bounds bounds(const Ellipsoid& s) {
     return {{s.center.x - s.radii.x, s.center.y - s.radii.y, s.center.z - s.radii.z},
             {s.center.x + s.radii.x, s.center.y + s.radii.y, s.center.z + s.radii.z}};
+  }
+
+  static Bounds bounds_under(const Ellipsoid& s, const Transform& t) {
+    const Transform from_own = under(place(s).from_own, t);
+    return bounds_around(from_own.origin, ball_reach(from_own));
   }
 
   /// |q| - 1 in units of the radii grows by at most 1 over the least of them.

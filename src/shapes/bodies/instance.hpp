@@ -9,8 +9,9 @@ namespace zraka {
 template <>
 struct ShapeTraits<Instance> {
   static constexpr const char* kName = "instance";
-  static constexpr const char* kNouns[2][4] = {{"instance", "instance", "instance", "instance"},
-                                            {"primjerak", "primjerak", "primjerka", "primjerku"}};
+  static constexpr const char* kNouns[2][4] = {
+      {"instance", "instance", "instance", "instance"},
+      {"primjerak", "primjerak", "primjerka", "primjerku"}};
   static constexpr bool kClosed = false, kComposed = true;
 };
 

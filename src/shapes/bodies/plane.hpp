@@ -13,7 +13,7 @@ template <>
 struct ShapeTraits<Plane> {
   static constexpr const char* kName = "plane";
   static constexpr const char* kNouns[2][4] = {{"plane", "plane", "plane", "plane"},
-                                            {"ravnina", "ravninu", "ravnine", "ravnini"}};
+                                               {"ravnina", "ravninu", "ravnine", "ravnini"}};
   static constexpr bool kClosed = true, kComposed = false;
   static constexpr int kNumbers = 0;
 
@@ -48,7 +48,7 @@ struct BodyLanes<Plane, D> {
   template <class Numbers>
   static ZRAKA_INLINE void cross(const Numbers&, const BodyRay<F>& ray, F (&at)[kMost]) {
     const F t = -(ray.origin.y / ray.direction.y);
-    const auto down = ray.direction.y < F(0.0), up = ray.direction.y > F(0.0);
+    const auto down = ray.direction.y<F(0.0), up = ray.direction.y> F(0.0);
     // What goes along the plane is below it forever, or never.
     const F never(kNever), ever(-kNever);
     const auto below = ray.origin.y < F(0.0);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/textures.hpp"
+
+namespace zraka::language {
+namespace {
+
+constexpr Field kFields[] = {
+    texture_fields::colors("that of the cube from the origin to [size, size, size], and the other"),
+    texture_fields::size("the cubes' side"),
+    texture_fields::mapping(),
+    texture_fields::transform(),
+};
+
+}  // namespace
+
+constexpr Kind texture::checker =
+    texture_kind<TextureKind::checker>("checker", "checker",
+                                       "Cubes of two colours, of which no two with a side in "
+                                       "common have the same; over u and v, squares.",
+                                       kFields);
+
+}  // namespace zraka::language

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/textures.hpp"
+
+namespace zraka::language {
+namespace {
+
+constexpr Field kFields[] = {
+    texture_fields::colors("evenly along it"),
+    texture_fields::size("its length"),
+    texture_fields::direction("from the origin, where the first colour is, to the last"),
+    texture_fields::wrap("what is beyond its end"),
+    texture_fields::mapping(),
+    texture_fields::transform(),
+};
+
+}  // namespace
+
+constexpr Kind texture::gradient = texture_kind<TextureKind::gradient>(
+    "gradient", "gradient", "From colour to colour along a line.", kFields);
+
+}  // namespace zraka::language

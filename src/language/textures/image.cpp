@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// A picture on a surface.
+#include "language/files.hpp"
+#include "language/textures.hpp"
+
+namespace zraka::language {
+namespace {
+
+constexpr Choice kFilters[] = {
+    {"nearest", "the nearest pixel"},
+    {"bilinear", "between the four pixels around"},
+    {"mip", "the mean over what a pixel of the picture sees"},
+};
+constexpr Choice kTransfers[] = {
+    {"linear", "they are light"},
+    {"srgb", "by the sRGB curve, as in photographs"},
+};
+constexpr Field kFields[] = {
+    field<&Texture::file>("file", {.text = "the picture: PNG, JPEG, PPM, PGM, PFM, HDR or OpenEXR",
+                                   .unit = Unit::picture,
+                                   .required = true}),
+    field<&Texture::transfer>(
+        "transfer",
+        {.text = "how light became the numbers of a picture of 8 or 16 bits; those of a "
+                 "normal_map are linear where nothing is said",
+         .choices = kTransfers}),
+    texture_fields::wrap("what is beyond its edge"),
+    field<&Texture::filter>("filter", {.text = "how it is looked up", .choices = kFilters}),
+    texture_fields::mapping(),
+    texture_fields::transform(),
+};
+
+void begin(Texture& texture) {
+  texture.mapping = TextureMapping::uv;
+}
+
+void end(Texture& texture, Item& item) {
+  texture.image =
+      read_picture(*item.node.find("file"), "image texture", texture.transfer, item.input);
+}
+
+}  // namespace
+
+constexpr Kind texture::image = texture_kind<TextureKind::image, begin, end>(
+    "image", "image texture",
+    "A picture: its lower left corner at u = 0, v = 0, its upper right one at 1, 1.", kFields);
+
+}  // namespace zraka::language

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compiled once per instruction set, like lanes_probe.cpp.
+#include "bodies_probe.hpp"
+
+#include <algorithm>
+
+#include "accel/body_rays.hpp"
+
+namespace zraka::ZRAKA_ISA {
+namespace {
+
+#ifdef ZRAKA_WIDE
+using D = WideDoubles;
+#else
+using D = ScalarDoubles;
+#endif
+using F = D::F;
+
+template <class Shape>
+void cross_all(const double* numbers, const std::int32_t* start, const BodyProbeRay* rays,
+               BodyCrossings* found, std::size_t count) {
+  constexpr int kMost = BodyLanes<Shape, D>::kMost;
+  static_assert(kMost <= kProbedCrossings);
+  for (std::size_t first = 0; first < count; first += D::kWidth) {
+    // The last ray once more where there are no more.
+    const auto index = [&](std::size_t lane) { return std::min(first + lane, count - 1); };
+    std::int32_t starts[D::kWidth];
+    bool shared = true;
+    for (std::size_t lane = 0; lane < D::kWidth; ++lane) {
+      starts[lane] = start[index(lane)];
+      shared = shared && starts[lane] == starts[0];
+    }
+    alignas(64) double lanes[D::kWidth];
+    const auto load = [&](const double(BodyProbeRay::*part)[3], int axis) {
+      for (std::size_t lane = 0; lane < D::kWidth; ++lane)
+        lanes[lane] = (rays[index(lane)].*part)[axis];
+      return D::load(lanes);
+    };
+    const auto vector = [&](const double(BodyProbeRay::*part)[3]) {
+      const F x = load(part, 0), y = load(part, 1);
+      return V3<F>{x, y, load(part, 2)};
+    };
+    const V3<F> origin = vector(&BodyProbeRay::origin),
+                direction = vector(&BodyProbeRay::direction);
+    F at[kMost];
+    if (shared)
+      cross_body<Shape, D>(SharedNumbers<D>{numbers + starts[0]}, origin, direction, at);
+    else
+      cross_body<Shape, D>(OwnNumbers<D>{numbers, starts}, origin, direction, at);
+    for (int k = 0; k < kProbedCrossings; ++k) {
+      D::store(k < kMost ? at[k] : F(kNever), lanes);
+      for (std::size_t lane = 0; lane < D::kWidth; ++lane) found[index(lane)].at[k] = lanes[lane];
+    }
+  }
+}
+
+void cross(BodyType type, const double* numbers, const std::int32_t* start,
+           const BodyProbeRay* rays, BodyCrossings* found, std::size_t count) {
+#define ZRAKA_CROSS(Type, plural)              \
+  if constexpr (!ShapeTraits<Type>::kComposed) \
+    if (type == kType##Type) cross_all<Type>(numbers, start, rays, found, count);
+  ZRAKA_BODIES(ZRAKA_CROSS)
+#undef ZRAKA_CROSS
+}
+
+}  // namespace
+
+BodiesProbe bodies_probe();
+BodiesProbe bodies_probe() {
+  return {{}, cross};
+}
+
+}  // namespace zraka::ZRAKA_ISA

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Crossings of rays with bodies, by each instruction set.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+#include <zraka/render.hpp>
+
+#include "scene/frozen_bodies.hpp"
+
+namespace zraka {
+
+inline constexpr int kProbedCrossings = 8;
+
+struct BodyProbeRay {
+  double origin[3], direction[3];
+};
+struct BodyCrossings {
+  double at[kProbedCrossings];  ///< infinite where there are no more
+};
+
+struct BodiesProbe {
+  Isa isa;
+  /// Of ray i with the body of this type whose numbers begin at numbers + start[i].
+  void (*cross)(BodyType type, const double* numbers, const std::int32_t* start,
+                const BodyProbeRay* rays, BodyCrossings* found, std::size_t count);
+};
+
+/// Those that this machine can run; the oracle last.
+std::vector<BodiesProbe> bodies_probes();
+
+}  // namespace zraka

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+// The truth of all bodies that are not made of others: of each line of ZRAKA_BODIES.
+#pragma once
+
+#include "truth/box.hpp"
+#include "truth/ellipsoid.hpp"
+#include "truth/plane.hpp"
