@@ -201,6 +201,7 @@ std::vector<BodyProbeRay> touching_rays(const Placed<Shape>& body,
       const Point p = exact(rays[i]).at(t), up = unit(body.truth.gradient(p));
       Point way = exact(on_unit_sphere(random));
       way = way - up * dot(way, up);
+      if (!(length(way) > 0.01L)) continue;  // or no number, at an apex
       const Real away = std::pow(10.0L, -static_cast<Real>(random() % 16)) *
                         (random() % 2 == 0 ? 1 : -1) * body.place.scale;
       const Point from = p + up * away - unit(way) * (body.place.scale * between(-1, 3, random));

@@ -114,6 +114,7 @@ struct Instance {
   X(Ellipsoid, ellipsoids) \
   X(Plane, planes)         \
   X(Box, boxes)            \
+  X(Frustum, frustums)     \
   X(Csg, csgs)             \
   X(Instance, instances)
 

@@ -4,4 +4,5 @@
 
 #include "truth/box.hpp"
 #include "truth/ellipsoid.hpp"
+#include "truth/frustum.hpp"
 #include "truth/plane.hpp"
