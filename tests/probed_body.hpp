@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "bodies_probe.hpp"
+#include "ray_count.hpp"
 #include "shapes/bodies.hpp"
 #include "truth/bodies.hpp"
-#include "truth/straying.hpp"
 
 namespace zraka::truth {
 
@@ -135,11 +135,9 @@ struct Placed {
   Truth<Shape> truth;
   Row row;
 
-  Placed(Random& random, const Place& where)
-      : place(where),
-        shape(Truth<Shape>::random(random, where)),
-        truth(shape),
-        row(ShapeTraits<Shape>::place(shape)) {}
+  Placed(Random& random, const Place& where) : Placed(Truth<Shape>::random(random, where), where) {}
+  explicit Placed(const Shape& s, const Place& where = {})
+      : place(where), shape(s), truth(s), row(ShapeTraits<Shape>::place(s)) {}
 
   Point middle() const { return exact(place.origin); }
   /// How far off the surface a crossing may be of a ray from there: what coordinates are rounded

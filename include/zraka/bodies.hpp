@@ -115,6 +115,7 @@ struct Instance {
   X(Plane, planes)         \
   X(Box, boxes)            \
   X(Frustum, frustums)     \
+  X(Torus, tori)           \
   X(Csg, csgs)             \
   X(Instance, instances)
 

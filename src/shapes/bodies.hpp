@@ -10,6 +10,7 @@
 #include "shapes/bodies/frustum.hpp"
 #include "shapes/bodies/instance.hpp"
 #include "shapes/bodies/plane.hpp"
+#include "shapes/bodies/torus.hpp"
 
 namespace zraka {
 

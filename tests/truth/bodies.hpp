@@ -6,3 +6,4 @@
 #include "truth/ellipsoid.hpp"
 #include "truth/frustum.hpp"
 #include "truth/plane.hpp"
+#include "truth/torus.hpp"
