@@ -41,6 +41,10 @@ struct BodySurface {
 ///   kNouns                       what people call it, in English and in Croatian: nominative,
 ///                                accusative, genitive, locative
 ///   kClosed                      whether it has an inside
+///   check_member(shape)          where not all of them have one: nullptr, or why this one has none
+///                                and so can be no member of CSG
+///   bounds_under(shape, t)       where it is tighter than around the box of bounds(shape): a box
+///                                around its image under an affine map
 ///   kComposed                    whether it is made of other shapes (csg.hpp, instance.hpp), and
 ///                                has none of what follows
 ///   kNumbers                     how many of Placement's numbers it needs
