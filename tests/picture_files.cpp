@@ -165,6 +165,61 @@ float exr_sample(const std::string& channel, int x, int y) {
          0.5f * static_cast<float>(y);
 }
 
+namespace {
+
+/// Runs of three bytes and more, and what is between them.
+void add_channel(std::string& file, const std::string& bytes) {
+  for (std::size_t i = 0; i < bytes.size();) {
+    const auto run_at = [&](std::size_t at) {
+      std::size_t end = at;
+      while (end < bytes.size() && end - at < 127 && bytes[end] == bytes[at]) ++end;
+      return end - at;
+    };
+    if (const std::size_t run = run_at(i); run >= 3) {
+      file += {static_cast<char>(128 + run), bytes[i]};
+      i += run;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < bytes.size() && end - i < 128 && run_at(end) < 3) ++end;
+    file += static_cast<char>(end - i) + bytes.substr(i, end - i);
+    i = end;
+  }
+}
+
+/// Pixels that are like the one before, as one or two more of which red, green and blue are 1.
+void add_pixels(std::string& file, const std::string& line) {
+  for (std::size_t i = 0; i < line.size();) {
+    const std::string pixel = line.substr(i, 4);
+    file += pixel;
+    std::size_t more = 0;
+    for (i += 4; i < line.size() && line.compare(i, 4, pixel) == 0; i += 4) ++more;
+    for (; more > 0; more >>= 8) file += std::string("\1\1\1", 3) + static_cast<char>(more & 255);
+  }
+}
+
+}  // namespace
+
+std::string hdr_file(std::uint32_t width, std::uint32_t height, HdrRuns runs,
+                     const std::vector<unsigned char>& pixels, const std::string& header) {
+  std::string file =
+      header + "-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n";
+  const std::string bytes(pixels.begin(), pixels.end());
+  for (std::uint32_t y = 0; y < height; ++y) {
+    const std::string line = bytes.substr(std::size_t{4} * width * y, std::size_t{4} * width);
+    if (runs == HdrRuns::none) file += line;
+    if (runs == HdrRuns::of_pixels) add_pixels(file, line);
+    if (runs != HdrRuns::of_bytes) continue;
+    file += {2, 2, static_cast<char>(width >> 8), static_cast<char>(width & 255)};
+    for (std::size_t c = 0; c < 4; ++c) {
+      std::string channel;
+      for (std::size_t i = c; i < line.size(); i += 4) channel += line[i];
+      add_channel(file, channel);
+    }
+  }
+  return file;
+}
+
 std::string error_of(std::string_view bytes, std::uint64_t max_pixels) {
   const Result<ReadImage> read = parse_image(bytes, "a", max_pixels);
   return read ? "read" : to_string(read.error().front());

@@ -51,6 +51,12 @@ std::string exr_file(const ExrKind& kind, const ExrValue& value);
 /// A value that is another one in each channel and at most places, exact as a half.
 float exr_sample(const std::string& channel, int x, int y);
 
+/// A Radiance picture of four bytes a pixel, as they are or with runs of either kind.
+enum class HdrRuns { none, of_pixels, of_bytes };
+std::string hdr_file(std::uint32_t width, std::uint32_t height, HdrRuns runs,
+                     const std::vector<unsigned char>& pixels,
+                     const std::string& header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n");
+
 /// What is wrong with a file called "a" of these bytes, or "read".
 std::string error_of(std::string_view bytes, std::uint64_t max_pixels = kMaxPixels);
 

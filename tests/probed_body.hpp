@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "bodies_probe.hpp"
+#include "ray_count.hpp"
 #include "shapes/bodies.hpp"
 #include "truth/bodies.hpp"
-#include "truth/straying.hpp"
 
 namespace zraka::truth {
 
@@ -135,11 +135,9 @@ struct Placed {
   Truth<Shape> truth;
   Row row;
 
-  Placed(Random& random, const Place& where)
-      : place(where),
-        shape(Truth<Shape>::random(random, where)),
-        truth(shape),
-        row(ShapeTraits<Shape>::place(shape)) {}
+  Placed(Random& random, const Place& where) : Placed(Truth<Shape>::random(random, where), where) {}
+  explicit Placed(const Shape& s, const Place& where = {})
+      : place(where), shape(s), truth(s), row(ShapeTraits<Shape>::place(s)) {}
 
   Point middle() const { return exact(place.origin); }
   /// How far off the surface a crossing may be of a ray from there: what coordinates are rounded
@@ -201,6 +199,7 @@ std::vector<BodyProbeRay> touching_rays(const Placed<Shape>& body,
       const Point p = exact(rays[i]).at(t), up = unit(body.truth.gradient(p));
       Point way = exact(on_unit_sphere(random));
       way = way - up * dot(way, up);
+      if (!(length(way) > 0.01L)) continue;  // or no number, at an apex
       const Real away = std::pow(10.0L, -static_cast<Real>(random() % 16)) *
                         (random() % 2 == 0 ? 1 : -1) * body.place.scale;
       const Point from = p + up * away - unit(way) * (body.place.scale * between(-1, 3, random));

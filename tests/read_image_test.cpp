@@ -267,7 +267,7 @@ TEST(ReadPnm, SaysWhatIsWrongAndWhere) {
             "a: error: pixel (1, 0) holds 101, where 100 is the largest value\n");
   EXPECT_EQ(error_of("P4 8 1 x"),
             "a: error: is a PBM, which cannot be read here\n  save it as PNG; PNG, JPEG, PPM, PGM, "
-            "PFM and OpenEXR can be read\n");
+            "PFM, Radiance HDR and OpenEXR can be read\n");
 }
 
 std::string float_bytes(const std::vector<float>& values, bool big_endian) {
@@ -314,7 +314,8 @@ TEST(ReadImage, GoesByContentNotByName) {
 }
 
 TEST(ReadImage, NamesOtherKindsOfFiles) {
-  constexpr const char* kReadable = "PNG, JPEG, PPM, PGM, PFM and OpenEXR can be read";
+  constexpr const char* kReadable =
+      "PNG, JPEG, PPM, PGM, PFM, Radiance HDR and OpenEXR can be read";
   EXPECT_EQ(error_of(""), "a: error: the file is empty\n");
   EXPECT_EQ(error_of("hello"),
             std::string("a: error: is no picture of a known kind\n  ") + kReadable + "\n");
@@ -345,6 +346,8 @@ std::vector<std::string> small_files() {
   files.push_back("P3 2 2 255 1 2 3 4 5 6 7 8 9 10 11 12");
   files.push_back("P6 2 2 255 123456789012");
   files.push_back("PF 1 1 -1 123456789012");
+  for (const HdrRuns runs : {HdrRuns::none, HdrRuns::of_pixels, HdrRuns::of_bytes})
+    files.push_back(hdr_file(9, 4, runs, smooth_bytes(9, 4, 4)));
   return files;
 }
 

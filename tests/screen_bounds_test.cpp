@@ -29,7 +29,7 @@ Image every_ray_traced(const PreparedScene<float>& prepared, const Resolution& r
   const std::uint32_t width = resolution.width + (average ? 1 : 0),
                       height = resolution.height + (average ? 1 : 0);
   Image image(width, height);
-  WorkspaceMemory<float> memory(static_cast<std::int32_t>(width * height), options.max_depth);
+  WorkspaceMemory<float> memory(static_cast<std::int32_t>(width * height), options.max_depth, false);
   RayCounts counts;
   kernel_of(*options.isa)
       .trace_tile(prepared.store->scene, settings_of(options, prepared.frame),

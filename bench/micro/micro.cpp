@@ -243,7 +243,7 @@ void add_steps(const Probe& probe) {
         fmt::format("{}/{}", name, probe.isa).c_str(), [probe, step](benchmark::State& state) {
           const FrozenScene<float>& scene = traced("sphereflake", 4).prepared.store->scene;
           constexpr std::int32_t kTile = 32;
-          WorkspaceMemory<float> memory(kTile * kTile, 1);
+          WorkspaceMemory<float> memory(kTile * kTile, 1, false);
           Workspace<float>& workspace = memory.workspace();
           TraceSettings settings;
           settings.max_depth = 1;

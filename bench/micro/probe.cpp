@@ -70,6 +70,7 @@ void hits(const FrozenScene<float>& scene, const TileRect& tile, Workspace<float
 
 void surfaces(const FrozenScene<float>& scene, Workspace<float>& workspace) {
   find_surfaces<L>(scene, workspace.levels[0], workspace.scratch);
+  take_coefficients(scene, workspace.levels[0], workspace.scratch);
 }
 
 void light(const FrozenScene<float>& scene, const TraceSettings& settings,
@@ -79,13 +80,13 @@ void light(const FrozenScene<float>& scene, const TraceSettings& settings,
                 Steps{});
 }
 
-void spawn(const FrozenScene<float>& scene, const TraceSettings& settings,
+void spawn(const FrozenScene<float>&, const TraceSettings& settings,
            Workspace<float>& workspace) {
   RayCounts counts;
   Level<float>&level = workspace.levels[0], &next = workspace.levels[1];
   next.ray_count = next.done = 0;
-  spawn_reflected<L>(scene, settings, level, workspace.scratch, next, counts);
-  spawn_refracted<L>(scene, level, workspace.scratch, next, counts);
+  spawn_reflected<L>(settings, level, workspace.scratch, next, counts);
+  spawn_refracted<L>(level, workspace.scratch, next, counts);
 }
 
 void fold_level(const TraceSettings& settings, Workspace<float>& workspace) {

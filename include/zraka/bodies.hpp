@@ -125,6 +125,8 @@ struct Instance {
   X(Ellipsoid, ellipsoids) \
   X(Plane, planes)         \
   X(Box, boxes)            \
+  X(Frustum, frustums)     \
+  X(Torus, tori)           \
   X(Csg, csgs)             \
   X(Instance, instances)
 

@@ -15,6 +15,8 @@ inline constexpr int kMaxExplainedRays = 1 << 14;
 inline constexpr std::uint64_t kMaxExplainedTerms = std::uint64_t{1} << 18;
 /// The largest side of a tile, in pixels.
 inline constexpr int kMaxTile = 64;
+/// Instances of groups that hold instances: how many deep.
+inline constexpr int kMostNested = 32;
 /// More threads than any machine has, so a mistake.
 inline constexpr int kMaxThreads = 4096;
 

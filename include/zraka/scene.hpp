@@ -50,9 +50,6 @@ struct ShapeId {
   friend auto operator<=>(const ShapeId&, const ShapeId&) = default;
 };
 
-/// u and v of three corners.
-using CornerUvs = std::array<std::array<float, 2>, 3>;
-
 struct PointLight {
   Vec3 position;
   Color color{1, 1, 1};

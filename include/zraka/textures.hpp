@@ -24,6 +24,9 @@
 
 namespace zraka {
 
+/// u and v of three corners.
+using CornerUvs = std::array<std::array<float, 2>, 3>;
+
 #define ZRAKA_ENUMERATE(kind) kind,
 enum class TextureKind : std::uint8_t { ZRAKA_TEXTURES(ZRAKA_ENUMERATE) };
 #undef ZRAKA_ENUMERATE

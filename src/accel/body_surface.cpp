@@ -25,16 +25,6 @@ BodyHit hit_of(const FrozenBodies& bodies, std::int32_t body, const V3<double>& 
     hit.t = t;
     hit.point = origin + direction * t;
     hit.normal = normal * (1 / std::sqrt(dot(normal, normal)));
-    hit.u = surface.u;
-    hit.v = surface.v;
-    // And what moves along the surface by its inverse.
-    const V3<double> yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
-    const double determinant = 1 / dot(x, yz);
-    const auto back = [&](const V3<double>& v) {
-      return (yz * v.x + zx * v.y + xy * v.z) * determinant;
-    };
-    hit.along_u = back(surface.along_u);
-    hit.along_v = back(surface.along_v);
     hit.size = view.unit;
     hit.body = body;
     hit.inside = dot(hit.normal, direction) > 0;
@@ -68,6 +58,37 @@ BodyHit first_hit(const FrozenBodies& bodies, std::int32_t body, const V3<double
   }
 }
 
+template <class Shape>
+OnBody on(const FrozenBodies& bodies, std::int32_t body, const V3<double>& point) {
+  OnBody found{};
+  if constexpr (!ShapeTraits<Shape>::kComposed) {
+    const double* const row = bodies.numbers + bodies.start[body];
+    const double* const m = row + kBodyMatrix;
+    const V3<double> x{m[0], m[1], m[2]}, y{m[3], m[4], m[5]}, z{m[6], m[7], m[8]};
+    const V3<double> p = point - V3<double>{row[0], row[1], row[2]};
+    found.surface = ShapeTraits<Shape>::surface(row + kBodyNumbers, {dot(x, p), dot(y, p), dot(z, p)});
+    BodySurface& s = found.surface;
+    // A gradient goes back by the transposed matrix, what moves along the surface by its inverse.
+    s.normal = x * s.normal.x + y * s.normal.y + z * s.normal.z;
+    const V3<double> yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
+    const double determinant = 1 / dot(x, yz);
+    const auto back = [&](const V3<double>& v) {
+      return (yz * v.x + zx * v.y + xy * v.z) * determinant;
+    };
+    s.along_u = back(s.along_u);
+    s.along_v = back(s.along_v);
+    found.curvature = s.curvature * std::sqrt(std::fmax(dot(x, x), std::fmax(dot(y, y), dot(z, z))));
+  }
+  return found;
+}
+
+using On = OnBody (*)(const FrozenBodies&, std::int32_t, const V3<double>&);
+constexpr On kOn[kBodyTypes] = {
+#define ZRAKA_FUNCTION(Type, plural) on<Type>,
+    ZRAKA_BODIES(ZRAKA_FUNCTION)
+#undef ZRAKA_FUNCTION
+};
+
 using FirstHit = BodyHit (*)(const FrozenBodies&, std::int32_t, const V3<double>&,
                              const V3<double>&);
 constexpr FirstHit kFirstHit[kBodyTypes] = {
@@ -90,6 +111,10 @@ BodyHit body_hit(const FrozenBodies& bodies, std::int32_t body, const V3<double>
   hit.inside = !way.inside(t);
   if ((dot(hit.normal, direction) > 0) != hit.inside) hit.normal = -hit.normal;
   return hit;
+}
+
+OnBody on_body(const FrozenBodies& bodies, std::int32_t body, const V3<double>& point) {
+  return kOn[bodies.type[body]](bodies, body, point);
 }
 
 int csg_crossings(const FrozenBodies& bodies, std::int32_t body, const V3<double>& origin,

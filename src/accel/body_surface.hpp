@@ -3,16 +3,15 @@
 #pragma once
 
 #include "math/vec.hpp"
+#include "shapes/bodies/body.hpp"
 #include "scene/frozen_bodies.hpp"
 
 namespace zraka {
 
-/// In the engine's frame, but for u and v.
+/// In the engine's frame.
 struct BodyHit {
   double t;           ///< of the hit, as exactly as doubles are
   V3<double> point, normal;  ///< unit length, outwards
-  V3<double> along_u, along_v;  ///< how the point moves with u and v
-  double u, v;
   double size;        ///< what the body's own unit is along the ray
   bool inside;        ///< the ray came from within
   std::int32_t body;  ///< the body whose surface it is: of CSG, its member
@@ -26,7 +25,15 @@ struct CsgCrossing {
   bool whole;         ///< whether the ray is inside the whole behind it
 };
 
+/// A point of a body's surface in the engine's frame.
+struct OnBody {
+  BodySurface surface;
+  double curvature;
+};
+
 namespace isa_oracle {
+/// Of a body that is made of no others.
+OnBody on_body(const FrozenBodies& bodies, std::int32_t body, const V3<double>& point);
 /// The first hit in front of the origin of a body that is no instance; the ray must hit it.
 BodyHit body_hit(const FrozenBodies& bodies, std::int32_t body, const V3<double>& origin,
                  const V3<double>& direction);

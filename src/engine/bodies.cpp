@@ -168,7 +168,8 @@ V3<double> one_of(const typename L::Real (&v)[3][BodyQuery<L>::kRoom], std::size
 
 template <class L>
 void surface_of_body(const FrozenShapes<typename L::Real, Body>& bodies, std::int32_t body,
-                     std::size_t lane, const BodyQuery<L>& query, SurfaceMemory<L>& out) {
+                     std::size_t lane, const BodyQuery<L>& query, SurfaceMemory<L>& out,
+                     HitPath* paths) {
   using R = typename L::Real;
   const BodyHit hit = isa_oracle::body_hit(bodies, body, one_of<L>(query.origin, lane),
                                            one_of<L>(query.direction, lane));
@@ -178,20 +179,42 @@ void surface_of_body(const FrozenShapes<typename L::Real, Body>& bodies, std::in
   out.inside[lane] = hit.inside ? R(1) : R(0);
   const std::int32_t own = bodies.material[hit.body];
   out.material[lane] = own >= 0 ? own : bodies.material[body];
+  if (paths != nullptr) paths[lane].body = hit.body;
+}
+
+/// Puts an instance in front of a path within its group, whose frame is reached by these columns
+/// and this origin.
+void add_instance(std::int32_t body, const void* group, const V3<double>& x, const V3<double>& y,
+                  const V3<double>& z, const V3<double>& origin, const HitPath& inner,
+                  HitPath& out) {
+  out.group = inner.group != nullptr ? inner.group : group;
+  out.slot = inner.slot;
+  out.body = inner.body;
+  out.depth = inner.depth + 1;
+  out.instance[0] = body;
+  for (int i = 0; i < inner.depth; ++i) out.instance[i + 1] = inner.instance[i];
+  for (int k = 0; k < 12; k += 3) {
+    const double* const v = inner.to_frame + k;
+    const V3<double> moved = x * v[0] + y * v[1] + z * v[2] + (k == 9 ? origin : V3<double>{0, 0, 0});
+    out.to_frame[k] = moved.x, out.to_frame[k + 1] = moved.y, out.to_frame[k + 2] = moved.z;
+  }
 }
 
 /// Of the lanes that hit one instance: the group is traced once more, as it was for the hits, to
 /// know what they have hit there.
 template <class L>
 void surfaces_of_instance(const FrozenShapes<typename L::Real, Body>& bodies, std::int32_t body,
-                          std::uint32_t lanes, const BodyQuery<L>& query, SurfaceMemory<L>& out) {
+                          std::uint32_t lanes, const BodyQuery<L>& query, SurfaceMemory<L>& out,
+                          HitPath* paths) {
   using R = typename L::Real;
   const GroupRays<L> group_rays(bodies, body, query, lanes, false);
   RayGroup<L> rays = group_rays.rays();
   nearest_in_group<L>(group_rays.group(), rays);
   const RayLanes<L>& ray = rays.ray[0];
-  const SurfaceMemory<L> found(
-      surfaces_at<L>(group_rays.group(), ray.slot, ray.origin, ray.direction, ray.t));
+  HitPath inner[L::kWidth];
+  const SurfaceMemory<L> found(surfaces_at<L>(group_rays.group(), ray.slot, ray.origin,
+                                              ray.direction, ray.t,
+                                              paths == nullptr ? nullptr : inner));
   const double* const row = bodies.numbers + bodies.start[body];
   const V3<double> center{row[0], row[1], row[2]}, x{row[3], row[4], row[5]},
       y{row[6], row[7], row[8]}, z{row[9], row[10], row[11]};
@@ -210,6 +233,9 @@ void surfaces_of_instance(const FrozenShapes<typename L::Real, Body>& bodies, st
     out.inside[lane] = found.inside[lane];
     out.material[lane] =
         found.material[lane] >= 0 ? found.material[lane] : bodies.material[body];
+    if (paths != nullptr)
+      add_instance(body, &group_rays.group(), yz * determinant, zx * determinant,
+                   xy * determinant, center, inner[lane], paths[lane]);
   }
 }
 
@@ -218,7 +244,7 @@ void surfaces_of_instance(const FrozenShapes<typename L::Real, Body>& bodies, st
 template <class L>
 void surfaces_of_bodies(const FrozenShapes<typename L::Real, Body>& bodies, typename L::I slot,
                         const V3<typename L::F>& origin, const V3<typename L::F>& direction,
-                        typename L::F t, Surfaces<L>& surfaces) {
+                        typename L::F t, Surfaces<L>& surfaces, HitPath* paths) {
   using I = typename L::I;
   std::uint32_t left = bits(but_not(slot >= I(bodies.first_slot),
                                     slot >= I(bodies.first_slot + bodies.count)));
@@ -232,12 +258,12 @@ void surfaces_of_bodies(const FrozenShapes<typename L::Real, Body>& bodies, type
     const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
     const std::int32_t body = query.body[lane];
     if (bodies.type[body] != kTypeInstance) {
-      surface_of_body<L>(bodies, body, lane, query, memory);
+      surface_of_body<L>(bodies, body, lane, query, memory, paths);
       left &= left - 1;
       continue;
     }
     const std::uint32_t mine = lanes_with(left, [&](std::size_t i) { return query.body[i] == body; });
-    surfaces_of_instance<L>(bodies, body, mine, query, memory);
+    surfaces_of_instance<L>(bodies, body, mine, query, memory, paths);
     left &= ~mine;
   }
   surfaces = memory.back();
@@ -247,6 +273,6 @@ template Lanes::F intersect_bodies<Lanes>(const BodiesInLanes<Lanes>&, const V3<
                                           const V3<Lanes::F>&, Lanes::F, bool);
 template void surfaces_of_bodies<Lanes>(const FrozenShapes<Lanes::Real, Body>&, Lanes::I,
                                         const V3<Lanes::F>&, const V3<Lanes::F>&, Lanes::F,
-                                        Surfaces<Lanes>&);
+                                        Surfaces<Lanes>&, HitPath*);
 
 }  // namespace zraka::ZRAKA_ISA

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <zraka/render.hpp>
 
+#include "engine/hit_path.hpp"
 #include "scene/frozen.hpp"
 
 namespace zraka {
@@ -37,6 +38,10 @@ struct RayArrays {
   R *ox, *oy, *oz;  ///< origin
   R *dx, *dy, *dz;  ///< direction, unit length
   R *r, *g, *b;     ///< colour, once it is known
+  /// The cone around a ray that holds what its pixel sees (Amanatides, "Ray Tracing with Cones",
+  /// 1984): how wide it is at the origin and how much it widens per unit; nullptr where the scene
+  /// has no textures.
+  R *width, *spread;
 };
 
 /// What the fold needs of the hits of one batch. Structure of arrays, batch values each.
@@ -71,6 +76,14 @@ struct Scratch {
   R* offset;           ///< how far along the normal the next rays start
   R* inside;           ///< 1 where the ray hit the surface from inside, else 0
   std::int32_t* material;
+  /// Rows of kMaterialReals, and by hit which one holds its coefficients: the materials', or where
+  /// textures give some of them a row for each hit.
+  const R* coefficients;
+  const std::int32_t* row;
+  R* own_rows;           ///< the rows for each hit; this and what follows is nullptr where the
+  std::int32_t* own_row;  ///< scene has no textures: 0, 1, 2…
+  HitPath* paths;
+  HitDetail* details;
   R *lx, *ly, *lz;  ///< unit direction to the light at hand
   R* lit;           ///< 1 where the light at hand reaches the hit, else 0
   R *sox, *soy, *soz, *sdx, *sdy, *sdz, *sdistance;  ///< by shadow ray

@@ -87,7 +87,8 @@ void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R
     const V3<F> origin{ray.load(ox), ray.load(oy), ray.load(oz)};
     const V3<F> direction{ray.load(dx), ray.load(dy), ray.load(dz)};
     const auto [surface, material] =
-        surfaces_at<L>(scene, ray.load(scratch.slot), origin, direction, ray.load(scratch.t));
+        surfaces_at<L>(scene, ray.load(scratch.slot), origin, direction, ray.load(scratch.t),
+                       scratch.paths == nullptr ? nullptr : scratch.paths + h);
 
     // The normal is turned to the side that the ray comes from (sheet 3.7).
     const auto inside = surface.inside;

@@ -31,14 +31,14 @@ struct MaterialLanes {
 
 /// The materials of hits [h, h + kWidth), of which the first n - h exist.
 template <class L, class R = typename L::Real>
-ZRAKA_INLINE MaterialLanes<L> load_materials(const R* rows, const Scratch<R>& scratch,
-                                             std::size_t h, std::size_t n) {
+ZRAKA_INLINE MaterialLanes<L> load_materials(const Scratch<R>& scratch, std::size_t h,
+                                             std::size_t n) {
   using I = typename L::I;
-  const I first(scratch.material[h]);
-  const I material = select(L::first(n - h), L::load(scratch.material + h), first);
+  const I first(scratch.row[h]);
+  const I material = select(L::first(n - h), L::load(scratch.row + h), first);
   static_assert(kMaterialReals == 16);
   const I two = material + material, four = two + two, eight = four + four;
-  return {rows, eight + eight, all(material == first)};
+  return {scratch.coefficients, eight + eight, all(material == first)};
 }
 
 /// From hit to light: unit direction and distance.
@@ -119,7 +119,7 @@ void trace_shadow_rays(const FrozenScene<R>& scene, std::size_t shadow_rays, Scr
 
 /// Adds one light's diffuse and specular terms to the hits that it reaches.
 template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
-void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const Terms& terms,
+void add_light(const FrozenLight<R>& light, const Terms& terms,
                Level<R>& level, const Scratch<R>& scratch, const Recorder& record = {},
                const Ruling& rules = {}) {
   using F = typename L::F;
@@ -129,7 +129,7 @@ void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const T
     const auto exists = L::first(n - h);
     const auto lit = both(L::load(scratch.lit + h) > F(0), exists);
     if (!Recorder::kKeeps && !any(lit)) continue;
-    const auto material = load_materials<L>(scene.materials, scratch, h, n);
+    const auto material = load_materials<L>(scratch, h, n);
     const V3<F> normal = load_normal<L>(scratch, h);
     const V3<F> l{L::load(scratch.lx + h), L::load(scratch.ly + h), L::load(scratch.lz + h)};
     const F l_n = dot(l, normal);
@@ -181,7 +181,7 @@ void start_local(const FrozenScene<R>& scene, const Terms& terms, Level<R>& leve
   for (std::size_t h = 0; h < n; h += L::kWidth) {
     V3<F> local{plain, plain, plain};
     if (terms.ambient && !terms.silhouette)
-      local = ambient_light * load_materials<L>(scene.materials, scratch, h, n).color(kAmbient);
+      local = ambient_light * load_materials<L>(scratch, h, n).color(kAmbient);
     L::store(local.x, level.hits.r + h);
     L::store(local.y, level.hits.g + h);
     L::store(local.z, level.hits.b + h);
@@ -204,7 +204,7 @@ void light_hits(const FrozenScene<R>& scene, const TraceSettings& settings, Leve
       steps.template trace_shadow_rays<L>(scene, shadow_rays, scratch);
       counts.shadow += shadow_rays;
     }
-    steps.template add_light<L>(scene, scene.lights[i], terms, level, scratch, record, steps);
+    steps.template add_light<L>(scene.lights[i], terms, level, scratch, record, steps);
     record.light(scene, i, shadow_rays, level, scratch);
   }
 }

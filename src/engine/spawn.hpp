@@ -81,14 +81,14 @@ struct Snell {
 /// R = 2(U·N)N - U, and the shares of both children. With mirror_when_total the share of a
 /// refracted ray that cannot be goes to the reflected one.
 template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
-void spawn_reflected(const FrozenScene<R>& scene, const TraceSettings& settings, Level<R>& level,
+void spawn_reflected(const TraceSettings& settings, Level<R>& level,
                      const Scratch<R>& scratch, Level<R>& next, RayCounts& counts,
                      const Recorder& record = {}, const Ruling& rules = {}) {
   using F = typename L::F;
   const auto n = static_cast<std::size_t>(level.hit_count);
   const std::int32_t before = next.ray_count;
   for (std::size_t h = 0; h < n; h += L::kWidth) {
-    const auto material = load_materials<L>(scene.materials, scratch, h, n);
+    const auto material = load_materials<L>(scratch, h, n);
     F reflection = settings.terms.reflection ? material[kReflection] : F(0);
     F refraction = settings.terms.refraction ? material[kRefraction] : F(0);
     const HitLanes<L> hit(scratch, h);
@@ -114,7 +114,7 @@ void spawn_reflected(const FrozenScene<R>& scene, const TraceSettings& settings,
 
 /// R = -aN - bU with a = -b·cos α + √(D/4), where D is not negative.
 template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
-void spawn_refracted(const FrozenScene<R>& scene, Level<R>& level, const Scratch<R>& scratch,
+void spawn_refracted(Level<R>& level, const Scratch<R>& scratch,
                      Level<R>& next, RayCounts& counts, const Recorder& record = {},
                      const Ruling& rules = {}) {
   using F = typename L::F;
@@ -127,7 +127,7 @@ void spawn_refracted(const FrozenScene<R>& scene, Level<R>& level, const Scratch
       L::store(typename L::I(-1), level.hits.refracted + h);
       continue;
     }
-    const auto material = load_materials<L>(scene.materials, scratch, h, n);
+    const auto material = load_materials<L>(scratch, h, n);
     const HitLanes<L> hit = HitLanes<L>(scratch, h).for_refraction(scratch, h, rules);
     const F cosine = rules.refraction_cosine(hit.cosine);
     const Snell<L> snell(material, scratch, h, cosine, rules);

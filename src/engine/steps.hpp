@@ -15,17 +15,17 @@ struct Steps : Rules {
     ZRAKA_ISA::trace_shadow_rays<L>(scene, shadow_rays, scratch);
   }
   template <class L, class R, class Recorder, class Ruling>
-  ZRAKA_INLINE void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light,
+  ZRAKA_INLINE void add_light(const FrozenLight<R>& light,
                               const Terms& terms, Level<R>& level, Scratch<R>& scratch,
                               const Recorder& record, const Ruling& rules) const {
-    ZRAKA_ISA::add_light<L>(scene, light, terms, level, scratch, record, rules);
+    ZRAKA_ISA::add_light<L>(light, terms, level, scratch, record, rules);
   }
   template <class L, class R, class Recorder, class Ruling>
-  ZRAKA_INLINE void spawn_reflected(const FrozenScene<R>& scene, const TraceSettings& settings,
+  ZRAKA_INLINE void spawn_reflected(const TraceSettings& settings,
                                     Level<R>& level, const Scratch<R>& scratch, Level<R>& next,
                                     RayCounts& counts, const Recorder& record,
                                     const Ruling& rules) const {
-    ZRAKA_ISA::spawn_reflected<L>(scene, settings, level, scratch, next, counts, record, rules);
+    ZRAKA_ISA::spawn_reflected<L>(settings, level, scratch, next, counts, record, rules);
   }
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "accel/ray_lanes.hpp"
+#include "engine/hit_path.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -43,16 +44,33 @@ struct Surfaces {
   typename L::I material;
 };
 
-/// The surfaces of bodies, out of line (accel/bodies.cpp); lanes of other slots stay as they are.
+/// The surfaces of bodies, out of line (engine/bodies.cpp); lanes of other slots stay as they are.
+/// With `paths`, those of the lanes are kept, too.
 template <class L>
 void surfaces_of_bodies(const FrozenShapes<typename L::Real, Body>& bodies, typename L::I slot,
                         const V3<typename L::F>& origin, const V3<typename L::F>& direction,
-                        typename L::F t, Surfaces<L>& surfaces);
+                        typename L::F t, Surfaces<L>& surfaces, HitPath* paths);
 
+/// As if all lanes had hit primitives of the scene.
+template <class L>
+void start_paths(typename L::I slot, HitPath* paths) {
+  alignas(64) std::int32_t slots[L::kWidth];
+  L::store(slot, slots);
+  for (std::size_t i = 0; i < L::kWidth; ++i) {
+    paths[i].group = nullptr;
+    paths[i].slot = slots[i];
+    paths[i].body = -1;
+    paths[i].depth = 0;
+    for (int k = 0; k < 12; ++k) paths[i].to_frame[k] = k % 4 == 0 && k < 9 ? 1 : 0;
+  }
+}
+
+/// What the hits of rays are, in all kinds.
 template <class L, class R = typename L::Real>
 ZRAKA_INLINE Surfaces<L> surfaces_at(const FrozenScene<R>& scene, typename L::I slot,
                                      const V3<typename L::F>& origin,
-                                     const V3<typename L::F>& direction, typename L::F t) {
+                                     const V3<typename L::F>& direction, typename L::F t,
+                                     HitPath* paths = nullptr) {
   using F = typename L::F;
   const V3<F> point = origin + direction * t;
   Surfaces<L> all{{point, -direction, F(0), L::first(0)}, typename L::I(0)};
@@ -60,8 +78,9 @@ ZRAKA_INLINE Surfaces<L> surfaces_at(const FrozenScene<R>& scene, typename L::I 
   surface_of<L>(scene.plural, slot, origin, direction, point, all.at, all.material);
   ZRAKA_INLINED_KINDS(ZRAKA_SURFACE)
 #undef ZRAKA_SURFACE
+  if (paths != nullptr) start_paths<L>(slot, paths);
   if (scene.bodies.count > 0)
-    surfaces_of_bodies<L>(scene.bodies, slot, origin, direction, t, all);
+    surfaces_of_bodies<L>(scene.bodies, slot, origin, direction, t, all, paths);
   return all;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "engine/camera_rays.hpp"
+#include "engine/coefficients.hpp"
 #include "engine/engine.hpp"
 #include "engine/fold.hpp"
 #include "engine/hits.hpp"
@@ -27,13 +28,15 @@ void trace_batch(const FrozenScene<R>& scene, const TraceSettings& settings, Lev
   trace_nearest<L>(scene, level, workspace.scratch, steps);
   counts.hits += static_cast<std::uint64_t>(level.hit_count);
   find_surfaces<L>(scene, level, workspace.scratch, steps);
+  take_coefficients(scene, level, workspace.scratch);
   light_hits<L>(scene, settings, level, workspace.scratch, counts, record, steps);
 
   if (next == nullptr || settings.terms.silhouette) return;
   if (!settings.terms.reflection && !settings.terms.refraction) return;
-  steps.template spawn_reflected<L>(scene, settings, level, workspace.scratch, *next, counts,
+  steps.template spawn_reflected<L>(settings, level, workspace.scratch, *next, counts,
                                     record, steps);
-  spawn_refracted<L>(scene, level, workspace.scratch, *next, counts, record, steps);
+  spawn_refracted<L>(level, workspace.scratch, *next, counts, record, steps);
+  if (scene.textures != nullptr) spread_cones(level, workspace.scratch, *next);
   record.children(level, *next);
 }
 
@@ -70,6 +73,7 @@ void trace_tile(const FrozenScene<R>& scene, const TraceSettings& settings, cons
   Level<R>& top = workspace.levels[0];
   top.done = 0;
   make_camera_rays<L>(scene.camera, tile, top);
+  if (scene.textures != nullptr) start_cones(scene.camera, top);
   counts.camera += static_cast<std::uint64_t>(top.ray_count);
   trace_trees<L>(scene, settings, workspace, counts, record, steps);
 

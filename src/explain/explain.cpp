@@ -160,7 +160,8 @@ Neighbourhood Explainer::around(std::uint32_t x, std::uint32_t y, std::uint32_t 
   const TileRect tile{static_cast<std::int32_t>(found.left), static_cast<std::int32_t>(found.top),
                       static_cast<std::int32_t>(rays.width),
                       static_cast<std::int32_t>(rays.height)};
-  WorkspaceMemory<float> workspace(tile.width * tile.height, stand.settings.max_depth);
+  WorkspaceMemory<float> workspace(tile.width * tile.height, stand.settings.max_depth,
+                                   stand.frozen().textures != nullptr);
   RayCounts counts;
   stand.kernel->trace_tile(stand.frozen(), stand.settings, tile, workspace.workspace(), counts,
                            rays.pixels.data(), rays.width);

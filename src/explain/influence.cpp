@@ -74,7 +74,7 @@ class WayReader {
   WayReader(std::vector<std::int32_t> slots, bool corners, std::int32_t batch, int max_depth)
       : slots_(std::move(slots)),
         corners_(corners),
-        workspace_(batch, max_depth),
+        workspace_(batch, max_depth, true),
         terms_(batch, *this),
         pixels_(static_cast<std::size_t>(max_depth) + 1),
         ways_of_rays_(pixels_.size()),

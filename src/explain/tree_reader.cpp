@@ -21,7 +21,7 @@ class TreeReader {
   TreeReader(const Stand& stand, const TraceSettings& settings, std::int32_t batch)
       : stand_(stand),
         settings_(settings),
-        workspace_(batch, settings.max_depth),
+        workspace_(batch, settings.max_depth, true),
         terms_(batch, *this),
         first_(static_cast<std::size_t>(settings.max_depth) + 2) {}
 
@@ -84,7 +84,7 @@ Absence TreeReader::absence(float share, bool in_stage) const {
 ExplainedHit TreeReader::surface(const Level<float>& level, const Scratch<float>& s,
                                  std::size_t h) const {
   const auto ray = static_cast<std::size_t>(level.hits.ray[h]);
-  const float* m = stand_.frozen().materials + s.material[h] * kMaterialReals;
+  const float* m = s.coefficients + s.row[h] * kMaterialReals;
   ExplainedHit hit;
   hit.shape = stand_.named(s.slot[ray]);
   hit.distance = stand_.length(s.t[ray]);

@@ -85,7 +85,7 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
         background.insert(background.end(), {color.x, color.y, color.z});
     }
   tbb::enumerable_thread_specific<Worker<R>> workers([&] {
-    return Worker<R>{WorkspaceMemory<R>(tile * tile, settings.max_depth), {}};
+    return Worker<R>{WorkspaceMemory<R>(tile * tile, settings.max_depth, scene.textures != nullptr), {}};
   });
   std::atomic<std::uint64_t> pixels_done{0}, rays_done{0};
   const auto render_tile = [&](const TileRect& rect) {

@@ -29,11 +29,17 @@ class Layout {
 
 template <class R>
 void place_all(Layout& layout, Level<R>* levels, int level_count, Scratch<R>& s,
-               std::size_t batch) {
+               std::size_t batch, bool textured) {
   layout.place(batch, s.t, s.px, s.py, s.pz, s.nx, s.ny, s.nz, s.vx, s.vy, s.vz, s.offset, s.inside,
                s.lx, s.ly, s.lz, s.lit);
   layout.place(batch, s.sox, s.soy, s.soz, s.sdx, s.sdy, s.sdz, s.sdistance);
   layout.place(batch, s.slot, s.material, s.shadow_ray_hit);
+  if (textured) {
+    layout.place(batch * kMaterialReals, s.own_rows);
+    layout.place(batch, s.own_row);
+    layout.place(batch, s.paths);
+    layout.place(batch, s.details);
+  }
   for (int i = 0; i < level_count; ++i) {
     RayArrays<R>& rays = levels[i].rays;
     layout.place(2 * batch, rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, rays.r, rays.g,
@@ -41,6 +47,7 @@ void place_all(Layout& layout, Level<R>* levels, int level_count, Scratch<R>& s,
     HitArrays<R>& hits = levels[i].hits;
     layout.place(batch, hits.r, hits.g, hits.b, hits.reflection, hits.refraction);
     layout.place(batch, hits.ray, hits.reflected, hits.refracted);
+    if (textured) layout.place(2 * batch, rays.width, rays.spread);
   }
 }
 
@@ -52,15 +59,17 @@ void WorkspaceMemory<R>::Free::operator()(std::byte* p) const {
 }
 
 template <class R>
-WorkspaceMemory<R>::WorkspaceMemory(std::int32_t batch, int max_depth)
+WorkspaceMemory<R>::WorkspaceMemory(std::int32_t batch, int max_depth, bool textured)
     : levels_(std::make_unique<Level<R>[]>(static_cast<std::size_t>(max_depth) + 1)) {
   const auto size = static_cast<std::size_t>(batch);
   Layout sizes(nullptr);
-  place_all(sizes, levels_.get(), max_depth + 1, workspace_.scratch, size);
+  place_all(sizes, levels_.get(), max_depth + 1, workspace_.scratch, size, textured);
   memory_.reset(
       static_cast<std::byte*>(::operator new[](sizes.used(), std::align_val_t{kCacheLine})));
   Layout layout(memory_.get());
-  place_all(layout, levels_.get(), max_depth + 1, workspace_.scratch, size);
+  place_all(layout, levels_.get(), max_depth + 1, workspace_.scratch, size, textured);
+  if (textured)
+    for (std::int32_t i = 0; i < batch; ++i) workspace_.scratch.own_row[i] = i;
   workspace_.levels = levels_.get();
   workspace_.batch = batch;
 }

@@ -12,8 +12,9 @@ namespace zraka {
 template <class R>
 class WorkspaceMemory {
  public:
-  /// For tiles of at most `batch` pixels and rays down to `max_depth`.
-  WorkspaceMemory(std::int32_t batch, int max_depth);
+  /// For tiles of at most `batch` pixels and rays down to `max_depth`, with the arrays that textures
+  /// need, or without.
+  WorkspaceMemory(std::int32_t batch, int max_depth, bool textured);
 
   Workspace<R>& workspace() { return workspace_; }
 

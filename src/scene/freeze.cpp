@@ -169,11 +169,46 @@ std::int32_t first_body_id(const ShapeLists& shapes) {
   return static_cast<std::int32_t>(first);
 }
 
+template <class Shape>
+constexpr std::int32_t kind_of_shape() {
+#define ZRAKA_IF(Type, plural) \
+  if constexpr (std::is_same_v<Shape, Type>) return kKindOf##Type;
+  ZRAKA_INLINED_KINDS(ZRAKA_IF)
+#undef ZRAKA_IF
+}
+
+/// What textures need of shapes of one kind.
+template <class Shape, class Read>
+void freeze_mapping(const ShapeLists& shapes, const std::vector<Object<Read>>& objects,
+                    const std::vector<std::size_t>& cut, const Frame& frame,
+                    std::vector<std::int32_t>& transforms, std::vector<CornerUvs>& uvs,
+                    std::vector<WholeTriangle>& wholes, FrozenMapping& out) {
+  if (std::any_of(objects.begin(), objects.end(),
+                  [](const Object<Read>& object) { return object.transform != 0; })) {
+    for (const Object<Read>& object : objects)
+      transforms.push_back(static_cast<std::int32_t>(object.transform));
+    out.transform = transforms.data();
+  }
+  if constexpr (std::is_same_v<Shape, Triangle>) uvs = shapes.triangle_uvs;
+  if constexpr (std::is_same_v<Shape, SmoothTriangle>) uvs = shapes.smooth_triangle_uvs;
+  if (!uvs.empty()) out.uvs = uvs.data();
+  if constexpr (kHasPieces<Shape>) {
+    for (const std::size_t i : cut) {
+      Numbers<Shape> whole;
+      ShapeTraits<Shape>::freeze(objects[i].shape, frame, whole.data());
+      wholes.push_back({static_cast<std::int32_t>(i), {}});
+      std::copy(whole.begin(), whole.begin() + 9, wholes.back().corners);
+    }
+    out.wholes = wholes.data();
+    out.whole_count = static_cast<std::int32_t>(wholes.size());
+  }
+}
+
 /// The shapes of the kinds that are inlined. Returns the number of their slots.
 template <class R>
 std::int32_t freeze_shapes(const ShapeLists& shapes, const Whereabouts& where,
                            const std::vector<Material>& materials, const Profile& profile,
-                           const Frame& frame, FrozenStore<R>& store) {
+                           const Frame& frame, bool textured, FrozenStore<R>& store) {
   FrozenScene<R>& frozen = store.scene;
   // One array for all the numbers: materials first, then column by column of each kind of shape.
   const ChosenKinds chosen{has_ground_sphere(shapes, where, frame), all_are_cylinders(shapes.cones)};
@@ -235,6 +270,11 @@ std::int32_t freeze_shapes(const ShapeLists& shapes, const Whereabouts& where,
     }
     material += count + kColumnPadding;
     parents = std::move(pieces.parents);
+    if (textured) {
+      constexpr std::int32_t kind = kind_of_shape<Shape>();
+      freeze_mapping<Shape>(shapes, objects, pieces.cut, frame, store.transforms[kind],
+                            store.uvs[kind], store.wholes[kind], out.mapping);
+    }
   };
 #define ZRAKA_FREEZE(Type, plural)                                                 \
   freeze_kind(objects_as<Type>(shapes, chosen), pieces_of_##plural, frozen.plural, \
@@ -242,6 +282,28 @@ std::int32_t freeze_shapes(const ShapeLists& shapes, const Whereabouts& where,
   ZRAKA_INLINED_KINDS(ZRAKA_FREEZE)
 #undef ZRAKA_FREEZE
   return first_slot;
+}
+
+/// The textures of all materials; nullptr where there are none.
+std::unique_ptr<StoredTextures> freeze_textures(const Scene& scene) {
+  const bool any = std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
+    return !m.textures.empty() || m.normals.kind != NormalUse::Kind::none;
+  });
+  if (!any) return nullptr;
+  auto stored = std::make_unique<StoredTextures>();
+  stored->set = TextureSet(scene.textures);
+  for (const Material& m : scene.materials)
+    stored->uses.insert(stored->uses.end(), m.textures.begin(), m.textures.end());
+  const TextureUse* uses = stored->uses.data();
+  for (const Material& m : scene.materials) {
+    const auto count = static_cast<std::int32_t>(m.textures.size());
+    stored->of_material.push_back({uses, count, m.normals});
+    uses += count;
+  }
+  for (const Transform& t : scene.transforms)
+    stored->to_shape.push_back(inverse(t).value_or(Transform()));
+  stored->frozen = {&stored->set, stored->of_material.data(), stored->to_shape.data()};
+  return stored;
 }
 
 /// Frames of all groups: around what of them has bounds.
@@ -279,8 +341,11 @@ std::vector<GroupPlace> places_of_groups(const Scene& scene, const Whereabouts& 
 template <class R>
 void freeze_all(const Scene& scene, const ShapeLists& shapes, const Whereabouts& where,
                 const std::vector<Material>& materials, const Profile& profile, const Frame& frame,
-                const std::vector<GroupPlace>& groups, FrozenStore<R>& store) {
-  const std::int32_t slots = freeze_shapes(shapes, where, materials, profile, frame, store);
+                const std::vector<GroupPlace>& groups, bool textured, FrozenStore<R>& store) {
+  store.scene.frame_scale = frame.scale;
+  store.scene.frame_center = frame.center;
+  const std::int32_t slots =
+      freeze_shapes(shapes, where, materials, profile, frame, textured, store);
   FrozenShapes<R, Body>& bodies = store.scene.bodies;
   freeze_bodies(scene, shapes, where, frame, groups, first_body_id(shapes), store.bodies, bodies);
   bodies.first_slot = slots;
@@ -306,13 +371,17 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
 
   const Whereabouts where(scene);
   const std::vector<GroupPlace> places = places_of_groups(scene, where);
-  freeze_all(scene, scene, where, scene.materials, profile, frame, places, *store);
+  store->textures = freeze_textures(scene);
+  const bool textured = store->textures != nullptr;
+  frozen.textures = textured ? &store->textures->frozen : nullptr;
+  freeze_all(scene, scene, where, scene.materials, profile, frame, places, textured, *store);
   store->groups.resize(scene.groups.size());
   frozen.bodies.groups = store->groups.data();
   for (std::size_t i = 0; i < scene.groups.size(); ++i) {
     auto group = std::make_unique<FrozenStore<R>>();
     // What it is made of is the scene's.
-    freeze_all(scene, scene.groups[i], where, {}, profile, places[i].frame, places, *group);
+    freeze_all(scene, scene.groups[i], where, {}, profile, places[i].frame, places, textured,
+               *group);
     group->scene.materials = frozen.materials;
     group->scene.bodies.groups = store->groups.data();
     group->scene.reach = R(1);

@@ -12,8 +12,18 @@
 #include "math/frame.hpp"
 #include "scene/freeze_bodies.hpp"
 #include "scene/frozen.hpp"
+#include "textures/texture_set.hpp"
 
 namespace zraka {
+
+/// The memory behind FrozenTextures.
+struct StoredTextures {
+  FrozenTextures frozen{};
+  TextureSet set;
+  std::vector<TextureUse> uses;
+  std::vector<MaterialTextures> of_material;
+  std::vector<Transform> to_shape;
+};
 
 /// The memory behind a FrozenScene.
 template <class R>
@@ -29,6 +39,11 @@ struct FrozenStore {
   std::vector<FrozenLight<R>> lights;
   /// By kind: of those shapes after the last one read that are pieces of others, which ones.
   std::array<std::vector<std::int32_t>, kKinds> parents;
+  /// By kind: what textures need of shapes. Empty where no material has textures.
+  std::array<std::vector<std::int32_t>, kKinds> transforms;
+  std::array<std::vector<CornerUvs>, kKinds> uvs;
+  std::array<std::vector<WholeTriangle>, kKinds> wholes;
+  std::unique_ptr<StoredTextures> textures;
   std::uint64_t bytes() const;
 };
 

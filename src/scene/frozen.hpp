@@ -8,6 +8,7 @@
 
 #include "math/vec.hpp"
 #include "scene/frozen_bodies.hpp"
+#include "scene/frozen_textures.hpp"
 #include "scene/hierarchy.hpp"
 #include "shapes/shapes.hpp"
 
@@ -75,6 +76,7 @@ struct FrozenShapes {
   /// Slots number the primitives of all kinds in the order of these arrays.
   std::int32_t first_slot;
   std::int32_t first_id;  ///< the least id
+  FrozenMapping mapping;
 };
 
 template <class R>
@@ -94,6 +96,9 @@ struct FrozenScene {
   const FrozenLight<R>* lights;
   std::int32_t light_count;
   const R* materials;  ///< rows of kMaterialReals
+  const FrozenTextures* textures;  ///< nullptr: no material has any
+  double frame_scale;              ///< the frame that all of this is in
+  Vec3 frame_center;
 #define ZRAKA_STORE(Type, plural) FrozenShapes<R, Type> plural;
   ZRAKA_KINDS(ZRAKA_STORE)
 #undef ZRAKA_STORE

@@ -7,8 +7,10 @@
 #include "shapes/bodies/box.hpp"
 #include "shapes/bodies/csg.hpp"
 #include "shapes/bodies/ellipsoid.hpp"
+#include "shapes/bodies/frustum.hpp"
 #include "shapes/bodies/instance.hpp"
 #include "shapes/bodies/plane.hpp"
+#include "shapes/bodies/torus.hpp"
 
 namespace zraka {
 

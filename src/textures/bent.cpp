@@ -34,10 +34,14 @@ Bent layers_bent(const PreparedTexture& t, const TexturePlace& at) {
 Bent rings_bent(const PreparedTexture& t, const TexturePlace& at) {
   const double along = dot(at.point, t.direction);
   const V3<double> out = at.point - t.direction * along;
-  const double radius = std::sqrt(dot(out, out)), half = greatest_width(at) / 2;
-  // Outwards, and what a ring curves away along a footprint that lies along it.
-  double width = std::sqrt(radius * radius + half * half) - radius;
-  if (radius > 0) width += width_along(at, out * (1 / radius));
+  const double radius = std::sqrt(dot(out, out));
+  double width = greatest_width(at);
+  if (radius > 0) {
+    // Outwards, and as far as a ring curves away from a footprint that lies along it.
+    const V3<double> outwards = out * (1 / radius);
+    const double half = width_along(at, cross(t.direction, outwards)) / 2;
+    width = width_along(at, outwards) + (std::sqrt(radius * radius + half * half) - radius);
+  }
   // There are no rings on the other side of the axis.
   const double end = radius + width / 2, begin = std::max(radius - width / 2, 0.0);
   Bent ring{radius / t.size, width / t.size};
@@ -46,7 +50,7 @@ Bent rings_bent(const PreparedTexture& t, const TexturePlace& at) {
   const double grain = kGrain * t.size;
   const Fractal fractal{t.octaves, t.seed};
   const V3<double> stretched = out + t.direction * (along / kStretch);
-  ring.at += t.turbulence * fractal(stretched * (1 / grain), 2 * half / grain);
+  ring.at += t.turbulence * fractal(stretched * (1 / grain), greatest_width(at) / grain);
   ring.width += width_of_noise(t, at);
   return ring;
 }

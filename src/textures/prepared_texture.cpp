@@ -20,7 +20,9 @@ double greatest_width(const TexturePlace& at) {
 }
 
 double tolerance(const PreparedTexture& texture, const TexturePlace& at) {
-  return std::clamp(at.error / texture.size, 0x1p-20, 0.25);
+  constexpr double kLeast = 0x1p-20, kMost = 0.25;
+  const double cells = at.error / texture.size;
+  return cells > kLeast ? std::min(cells, kMost) : kLeast;
 }
 
 }  // namespace zraka

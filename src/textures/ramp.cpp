@@ -10,8 +10,6 @@ namespace {
 
 /// Narrower ones are taken as points: the difference of two integrals would have lost its digits.
 constexpr double kNarrowest = 1e-4;
-/// From here on a mean is that of all.
-constexpr double kWidest = 1e6;
 
 double eased(double t) {
   return t * t * (3 - 2 * t);
@@ -88,7 +86,6 @@ V3<double> Ramp::mean_clamped(double s, double width) const {
 V3<double> Ramp::mean(double s, double width) const {
   if (!(width > kNarrowest)) return value(s);
   if (wrap_ == TextureWrap::clamp) return mean_clamped(s, width);
-  if (width > kWidest) return before_.back();
   s -= wrap_ == TextureWrap::repeat ? std::floor(s) : 2 * std::floor(s / 2);
   return (integral(s + width / 2) - integral(s - width / 2)) * (1 / width);
 }

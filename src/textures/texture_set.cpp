@@ -47,6 +47,15 @@ IntoTexture inverse(const Transform& from_texture) {
   return into;
 }
 
+/// Of any length but 0 and of any finite numbers, else along x.
+V3<double> unit(const V3<double>& d) {
+  const double most = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+  const V3<double> scaled{d.x / most, d.y / most, d.z / most};
+  const double length = std::sqrt(dot(scaled, scaled));
+  if (!(length > 0)) return {1, 0, 0};  // NaN as well
+  return {scaled.x / length, scaled.y / length, scaled.z / length};
+}
+
 /// How far along an axis of what the texture lies in takes a place as far as its finest parts.
 double least_step(const PreparedTexture& t, const V3<double>& axis) {
   const V3<double> d = t.into.direction(axis);
@@ -62,11 +71,9 @@ PreparedTexture prepared(const Texture& from) {
   t.into = inverse(from.transform);
   for (const Color& c : from.colors) t.colors.push_back({c.r, c.g, c.b});
   while (t.colors.size() < 2) t.colors.push_back(t.colors.empty() ? V3<double>{} : t.colors[0]);
-  if (from.size > 0) t.size = from.size;
-  const V3<double> d = to_v3(from.direction);
-  const double length = std::sqrt(dot(d, d));
-  if (length > 0) t.direction = {d.x / length, d.y / length, d.z / length};
-  t.turbulence = from.turbulence;
+  t.size = from.size > 0 ? std::clamp(from.size, 1 / kHuge, kHuge) : 1;
+  t.direction = unit(to_v3(from.direction));
+  t.turbulence = std::fabs(from.turbulence) < kHuge ? from.turbulence : 0;
   t.octaves = std::clamp(from.octaves, 1, 32);
   t.seed = from.seed;
   t.wrap = from.wrap;

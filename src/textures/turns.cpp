@@ -7,9 +7,6 @@
 namespace zraka {
 namespace {
 
-/// From here on a mean is that of all.
-constexpr double kWidest = 1e6;
-
 /// The integral of the colours from 0 to x.
 V3<double> integral(const std::vector<V3<double>>& colors, const V3<double>& all, double x) {
   const auto count = static_cast<double>(colors.size());
@@ -28,7 +25,6 @@ V3<double> mean(const std::vector<V3<double>>& colors, double x, double width) {
   const auto count = static_cast<double>(colors.size());
   V3<double> all{};
   for (const V3<double>& color : colors) all = all + color;
-  if (width > kWidest) return all * (1 / count);
   x -= count * std::floor(x / count);
   return (integral(colors, all, x + width / 2) - integral(colors, all, x - width / 2)) *
          (1 / width);
@@ -62,7 +58,6 @@ double sign_in_turn(double x, double width, double tolerance) {
   const double sharp = cell - 2 * std::floor(cell / 2) == 0 ? 1 : -1;
   const double share = share_of_filtered(width);
   if (share == 0) return sharp;
-  if (width > kWidest) return 0;
   x -= 2 * std::floor(x / 2);
   const double mean = (triangle(x + width / 2) - triangle(x - width / 2)) / width;
   return sharp * (1 - share) + mean * share;

@@ -4,4 +4,6 @@
 
 #include "truth/box.hpp"
 #include "truth/ellipsoid.hpp"
+#include "truth/frustum.hpp"
 #include "truth/plane.hpp"
+#include "truth/torus.hpp"

@@ -63,7 +63,7 @@ class Throughs {
   Throughs(const T& truth, const Ray& ray, Real error) : truth_(truth), ray_(ray), error_(error) {}
 
   std::vector<Real> between(Real from, Real to) {
-    least_width_ = (to - from) / 1024;
+    least_width_ = (to - from) / 256;
     last_ = 0;
     note(from);
     visit(from, to);
@@ -96,8 +96,11 @@ class Throughs {
     if (std::fabs(here) <= error_) return;
     if (here * last_ < 0) {
       const Real side = here > 0 ? 1 : -1;
-      const Real root = rises_at(last_at_, t, [&](Real at) { return side * value(at); });
-      if (beyond(truth_, ray_.at(root)) < -4 * error_) found_.push_back(root);
+      const auto reaches = [&](Real level) {
+        return rises_at(last_at_, t, [&](Real at) { return side * value(at) - level; });
+      };
+      const auto within_rim = [&](Real at) { return beyond(truth_, ray_.at(at)) < -4 * error_; };
+      if (within_rim(reaches(-error_)) && within_rim(reaches(error_))) found_.push_back(reaches(0));
     }
     last_ = here;
     last_at_ = t;

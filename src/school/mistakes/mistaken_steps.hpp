@@ -18,33 +18,33 @@ struct MistakenSteps : MistakenRules {
   }
 
   template <class L, class R, class Recorder, class Ruling>
-  void add_light(const FrozenScene<R>& scene, const FrozenLight<R>& light, const Terms& terms,
+  void add_light(const FrozenLight<R>& light, const Terms& terms,
                  Level<R>& level, Scratch<R>& scratch, const Recorder& record,
                  const Ruling& rules) const {
     if (is(Mistake::shadow_takes_ambient)) blacken_shadows<L>(level, scratch);
     if (!is(Mistake::shadow_leaves_specular)) {
-      ZRAKA_ISA::add_light<L>(scene, light, terms, level, scratch, record, rules);
+      ZRAKA_ISA::add_light<L>(light, terms, level, scratch, record, rules);
       return;
     }
     Terms first = terms, second = terms;
     first.specular = second.diffuse = false;
-    ZRAKA_ISA::add_light<L>(scene, light, first, level, scratch, record, rules);
+    ZRAKA_ISA::add_light<L>(light, first, level, scratch, record, rules);
     // Blocked hits count as lit for the highlight, and are blocked again then.
     const auto n = static_cast<std::size_t>(level.hit_count);
     for (std::size_t h = 0; h < n; ++h)
       if (faces_light(scratch, h) && !(scratch.lit[h] > 0)) scratch.lit[h] = R(0.5);
-    ZRAKA_ISA::add_light<L>(scene, light, second, level, scratch, record, rules);
+    ZRAKA_ISA::add_light<L>(light, second, level, scratch, record, rules);
     for (std::size_t h = 0; h < n; ++h)
       if (scratch.lit[h] == R(0.5)) scratch.lit[h] = R(0);
   }
 
   template <class L, class R, class Recorder, class Ruling>
-  void spawn_reflected(const FrozenScene<R>& scene, const TraceSettings& settings, Level<R>& level,
+  void spawn_reflected(const TraceSettings& settings, Level<R>& level,
                        const Scratch<R>& scratch, Level<R>& next, RayCounts& counts,
                        const Recorder& record, const Ruling& rules) const {
-    ZRAKA_ISA::spawn_reflected<L>(scene, settings, level, scratch, next, counts, record, rules);
+    ZRAKA_ISA::spawn_reflected<L>(settings, level, scratch, next, counts, record, rules);
     if (is(Mistake::total_white) && settings.terms.refraction)
-      whiten_total_reflection<L>(scene, level, scratch);
+      whiten_total_reflection<L>(level, scratch);
   }
 
  private:
@@ -83,12 +83,11 @@ struct MistakenSteps : MistakenRules {
 
   /// Total internal reflection adds white in the share of the ray that cannot be.
   template <class L, class R>
-  void whiten_total_reflection(const FrozenScene<R>& scene, Level<R>& level,
-                               const Scratch<R>& scratch) const {
+  void whiten_total_reflection(Level<R>& level, const Scratch<R>& scratch) const {
     using F = typename L::F;
     const auto n = static_cast<std::size_t>(level.hit_count);
     for (std::size_t h = 0; h < n; h += L::kWidth) {
-      const auto material = load_materials<L>(scene.materials, scratch, h, n);
+      const auto material = load_materials<L>(scratch, h, n);
       const HitLanes<L> hit = HitLanes<L>(scratch, h).for_refraction(scratch, h, *this);
       const Snell<L> snell(material, scratch, h, refraction_cosine(hit.cosine), *this);
       const F white = select(snell.d >= F(0), F(0), material[kRefraction]);

@@ -38,7 +38,7 @@ StageListener::StageListener(const FrozenScene<float>& scene, const TraceSetting
       more_(corners ? 1 : 0),
       width_(width),
       height_(height),
-      workspace_(batch, settings.max_depth),
+      workspace_(batch, settings.max_depth, true),
       terms_(batch, *this),
       ignored_(3 * static_cast<std::size_t>(batch)),
       roots_(static_cast<std::size_t>(settings.max_depth) + 1),
@@ -53,7 +53,7 @@ std::size_t StageListener::root(std::size_t depth, const Level<float>& level,
 
 float StageListener::material(const Scratch<float>& s, std::size_t hit,
                               MaterialColumn column) const {
-  return scene_.materials[s.material[hit] * kMaterialReals + column];
+  return s.coefficients[s.row[hit] * kMaterialReals + column];
 }
 
 void StageListener::note(Tie tie, std::int32_t slot, std::int32_t on, std::size_t root) {

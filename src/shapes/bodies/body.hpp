@@ -31,6 +31,8 @@ struct BodySurface {
   double u = 0, v = 0;
   /// How the point moves with u and with v, for bent normals.
   V3<double> along_u{1, 0, 0}, along_v{0, 1, 0};
+  double curvature = 0;  ///< 1 over the least radius, roughly: how much it spreads what it mirrors
+  bool v_ends = false;   ///< v goes from one end to another, and not round
 };
 
 /// ShapeTraits of a body has, in the space that it is described in,
@@ -39,6 +41,10 @@ struct BodySurface {
 ///   kNouns                       what people call it, in English and in Croatian: nominative,
 ///                                accusative, genitive, locative
 ///   kClosed                      whether it has an inside
+///   check_member(shape)          where not all of them have one: nullptr, or why this one has none
+///                                and so can be no member of CSG
+///   bounds_under(shape, t)       where it is tighter than around the box of bounds(shape): a box
+///                                around its image under an affine map
 ///   kComposed                    whether it is made of other shapes (csg.hpp, instance.hpp), and
 ///                                has none of what follows
 ///   kNumbers                     how many of Placement's numbers it needs

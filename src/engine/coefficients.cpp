@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/coefficients.hpp"
+
+#include <cmath>
+
+#include "accel/body_surface.hpp"
+#include "scene/bounds_of.hpp"
+#include "shapes/primitive_uv.hpp"
+#include "textures/texture_set.hpp"
+
+namespace zraka {
+namespace {
+
+constexpr double kEpsilon = 0x1p-23;  ///< what points in float err by, of their size, and a little
+
+double length(const V3<double>& v) {
+  return std::sqrt(dot(v, v));
+}
+
+template <class R>
+V3<double> three(const R* x, const R* y, const R* z, std::size_t i) {
+  return {static_cast<double>(x[i]), static_cast<double>(y[i]), static_cast<double>(z[i])};
+}
+
+/// What is known of a hit besides what light needs: in the frame of the group that its shape
+/// stands in.
+struct Found {
+  BodySurface surface;        ///< its tangents in that frame
+  V3<double> point;           ///< in that frame
+  std::int32_t transform = 0;  ///< Object::transform
+  double curvature = 0;
+};
+
+/// The tables of one kind of primitive: where in it a slot is, and what it is there.
+template <class R, class Shape>
+bool find_primitive(const FrozenScene<R>& scene, const FrozenTextures& textures,
+                    const FrozenShapes<R, Shape>& shapes, std::int32_t slot, Found& found) {
+  const std::int32_t at = slot - shapes.first_slot;
+  if (at < 0 || at >= shapes.count) return false;
+  const std::int32_t index = shapes.id[at] - shapes.first_id;
+  double numbers[ShapeTraits<Shape>::kReals];
+  for (int k = 0; k < ShapeTraits<Shape>::kReals; ++k)
+    numbers[k] = static_cast<double>(shapes.column[k][at]);
+  UvContext context;
+  const FrozenMapping& mapping = shapes.mapping;
+  if (mapping.transform != nullptr) found.transform = mapping.transform[index];
+  if (found.transform != 0) {
+    const Transform& t = textures.to_shape[found.transform - 1];
+    const double scale = 1 / scene.frame_scale;
+    context.x = vector_of(t.along_x) * scale;
+    context.y = vector_of(t.along_y) * scale;
+    context.z = vector_of(t.along_z) * scale;
+  }
+  if (mapping.uvs != nullptr) context.uvs = mapping.uvs + index;
+  for (std::int32_t i = 0; i < mapping.whole_count; ++i)
+    if (mapping.wholes[i].index == index) context.whole_corners = mapping.wholes[i].corners;
+  const Shape* const kind = nullptr;
+  found.surface = uv_of(kind, numbers, found.point, context);
+  found.curvature = curvature_of(kind, numbers);
+  return true;
+}
+
+template <class R>
+Found find_on_shape(const FrozenScene<R>& scene, const FrozenTextures& textures,
+                    const HitPath& path, const V3<double>& point) {
+  Found found;
+  found.point = point;
+#define ZRAKA_FIND(Type, plural) \
+  if (find_primitive(scene, textures, scene.plural, path.slot, found)) return found;
+  ZRAKA_INLINED_KINDS(ZRAKA_FIND)
+#undef ZRAKA_FIND
+  const OnBody on = isa_oracle::on_body(scene.bodies, path.body, point);
+  found.surface = on.surface;
+  found.curvature = on.curvature;
+  // Members of CSG move with the whole.
+  const std::int32_t whole = path.slot - scene.bodies.first_slot;
+  found.transform = scene.bodies.transform[whole];
+  return found;
+}
+
+Transform map_of(const double (&m)[12]) {
+  return {{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}, {m[9], m[10], m[11]}};
+}
+
+/// One hit: where it is for textures, and how its normal may be bent.
+struct Seen {
+  HitDetail detail;
+  /// From the shape's space to the engine's frame: gradients there as they are here.
+  Transform to_shape;
+  V3<double> along_u, along_v;  ///< in the engine's frame
+  double unit = 1;              ///< of the shape's space, in the engine's frame
+};
+
+/// The gradients of u and v over a surface, from its tangents and its normal.
+struct UvGradients {
+  V3<double> u, v;
+  UvGradients(const V3<double>& along_u, const V3<double>& along_v, const V3<double>& n) {
+    const V3<double> un = cross(along_v, n), vn = cross(n, along_u);
+    const double det = dot(cross(along_u, along_v), n);
+    const double scale = det != 0 ? 1 / det : 0;
+    u = un * scale, v = vn * scale;
+  }
+};
+
+template <class R>
+Seen look(const FrozenScene<R>& scene, const HitPath& path, const V3<double>& point,
+          const V3<double>& normal, const V3<double>& view, double width) {
+  const auto* const group = static_cast<const FrozenScene<R>*>(path.group);
+  const FrozenScene<R>& home = group == nullptr ? scene : *group;
+  const Transform from_group = map_of(path.to_frame);
+  const Transform to_group = group == nullptr ? Transform() : inverse(from_group).value_or(Transform());
+  const Vec3 at = moved(vec3_of(point), to_group);
+  const Found found = find_on_shape(home, *scene.textures, path, vector_of(at));
+
+  Seen seen;
+  const double scale = 1 / home.frame_scale;
+  const Transform to_space{{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}, home.frame_center};
+  seen.to_shape = then(to_group, to_space);
+  if (found.transform != 0)
+    seen.to_shape = then(seen.to_shape, scene.textures->to_shape[found.transform - 1]);
+  seen.along_u = vector_of(turned(vec3_of(found.surface.along_u), from_group));
+  seen.along_v = vector_of(turned(vec3_of(found.surface.along_v), from_group));
+
+  TexturePoint& to = seen.detail.at;
+  to.point = vector_of(moved(vec3_of(point), seen.to_shape));
+  to.u = found.surface.u, to.v = found.surface.v;
+  to.v_ends = found.surface.v_ends;
+  // A cone cuts the surface in an ellipse: as wide as it is across, longer where it comes flat.
+  const double facing = std::fmax(std::fabs(dot(view, normal)), 1e-6);
+  const V3<double> slide = view - normal * dot(view, normal);
+  const double slope = length(slide);
+  V3<double> major = slope > 1e-9 ? slide * (1 / slope) : cross(normal, V3<double>{1, 0, 0});
+  if (!(dot(major, major) > 0.5)) major = cross(normal, V3<double>{0, 1, 0});
+  const V3<double> minor = cross(normal, major);
+  const V3<double> axes[2] = {major * (width / 2 / facing), minor * (width / 2)};
+  const UvGradients slopes(seen.along_u, seen.along_v, normal);
+  for (int i = 0; i < 2; ++i) {
+    to.footprint[i] = vector_of(turned(vec3_of(axes[i]), seen.to_shape));
+    to.footprint_u[i] = dot(slopes.u, axes[i]);
+    to.footprint_v[i] = dot(slopes.v, axes[i]);
+  }
+  const V3<double> n_own = vector_of(turned(vec3_of(normal), seen.to_shape));
+  seen.unit = 1 / length(n_own);
+  const double reach = std::fmax(std::fabs(point.x), std::fmax(std::fabs(point.y), std::fabs(point.z)));
+  to.error = (reach + 0x1p-10) * kEpsilon / seen.unit +
+             std::fmax(std::fabs(to.point.x),
+                       std::fmax(std::fabs(to.point.y), std::fabs(to.point.z))) *
+                 0x1p-50;
+  seen.detail.width = width;
+  seen.detail.curvature = found.curvature * length(vector_of(turned({1, 0, 0}, to_group)));
+  return seen;
+}
+
+/// The columns of a coefficient, and how many.
+struct Columns {
+  int first, count;
+};
+constexpr Columns kColumnsOf[] = {{kAmbient, 3},   {kDiffuse, 3},    {kSpecular, 3},
+                                  {kShininess, 1}, {kReflection, 1}, {kRefraction, 1}};
+
+template <class R>
+void put(Coefficient coefficient, const TextureValue& value, R* row) {
+  const auto [first, count] = kColumnsOf[static_cast<int>(coefficient)];
+  const double numbers[] = {value.x, value.y, value.z};
+  if (count == 1)
+    row[first] = static_cast<R>((value.x + value.y + value.z) / 3);
+  else
+    for (int k = 0; k < 3; ++k) row[first + k] = static_cast<R>(numbers[k]);
+}
+
+/// The normal that a texture makes of a smooth one, on the side of the viewer.
+V3<double> bent(const TextureSet& set, const NormalUse& use, const Seen& seen,
+                const V3<double>& normal, const V3<double>& view) {
+  V3<double> way = normal;
+  const UvGradients slopes(seen.along_u, seen.along_v, normal);
+  if (use.kind == NormalUse::Kind::bump) {
+    const V3<double> slope = set.slope(use.texture, seen.detail.at);
+    V3<double> rise;  // per unit of the engine's frame
+    if (set.mapping(use.texture) == TextureMapping::uv) {
+      rise = slopes.u * slope.x + slopes.v * slope.y;
+    } else {
+      const Transform& t = seen.to_shape;
+      rise = {dot(vector_of(t.along_x), slope), dot(vector_of(t.along_y), slope),
+              dot(vector_of(t.along_z), slope)};
+    }
+    rise = rise * (use.height * seen.unit);
+    way = normal - (rise - normal * dot(rise, normal));
+  } else {
+    const TextureValue m = set.value(use.texture, seen.detail.at);
+    const auto unit = [](const V3<double>& v) {
+      const double l = length(v);
+      return l > 0 ? v * (1 / l) : v;
+    };
+    // Red along u, green along v, blue along the normal (docs/textures.md).
+    const V3<double> u = unit(seen.along_u - normal * dot(seen.along_u, normal));
+    const V3<double> v = unit(seen.along_v - normal * dot(seen.along_v, normal));
+    way = u * (2 * m.x - 1) + v * (2 * m.y - 1) + normal * (2 * m.z - 1);
+  }
+  const double size = length(way);
+  if (!(size > 0) || !std::isfinite(size)) return normal;
+  way = way * (1 / size);
+  // What would look away from the viewer is turned until it only grazes: no light falls on a
+  // normal from behind, and what is seen would be black.
+  constexpr double kLeast = 0x1p-6;
+  const double facing = dot(way, view);
+  if (facing >= kLeast) return way;
+  way = way + view * (kLeast - facing);
+  return way * (1 / length(way));
+}
+
+}  // namespace
+
+template <class R>
+void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R>& scratch) {
+  const FrozenTextures& textures = *scene.textures;
+  const auto n = static_cast<std::size_t>(level.hit_count);
+  const auto begin = static_cast<std::size_t>(level.done);
+  for (std::size_t h = 0; h < n; ++h) {
+    const std::int32_t material = scratch.material[h];
+    const R* const from = scene.materials + std::ptrdiff_t{material} * kMaterialReals;
+    R* const row = scratch.own_rows + h * kMaterialReals;
+    for (int k = 0; k < kMaterialReals; ++k) row[k] = from[k];
+    const MaterialTextures& its = textures.of_material[material];
+    if (!its.any() && row[kReflection] == R(0) && row[kRefraction] == R(0)) {
+      scratch.details[h] = {};
+      continue;
+    }
+    const auto ray = static_cast<std::size_t>(level.hits.ray[h]);
+    const V3<double> point = three(scratch.px, scratch.py, scratch.pz, h);
+    const V3<double> view = three(scratch.vx, scratch.vy, scratch.vz, h);
+    V3<double> normal = three(scratch.nx, scratch.ny, scratch.nz, h);
+    normal = normal * (1 / length(normal));
+    const double width = static_cast<double>(level.rays.width[begin + ray]) +
+                         static_cast<double>(level.rays.spread[begin + ray]) *
+                             static_cast<double>(scratch.t[ray]);
+    const Seen seen = look(scene, scratch.paths[h], point, normal, view, width);
+    scratch.details[h] = seen.detail;
+    for (std::int32_t i = 0; i < its.use_count; ++i)
+      put(its.uses[i].coefficient, textures.set->value(its.uses[i].texture, seen.detail.at), row);
+    if (its.normals.kind == NormalUse::Kind::none) continue;
+    const V3<double> way = bent(*textures.set, its.normals, seen, normal, view);
+    scratch.nx[h] = static_cast<R>(way.x);
+    scratch.ny[h] = static_cast<R>(way.y);
+    scratch.nz[h] = static_cast<R>(way.z);
+  }
+}
+
+template <class R>
+void spread_cones(const Level<R>& level, const Scratch<R>& scratch, Level<R>& next) {
+  const auto n = static_cast<std::size_t>(level.hit_count);
+  for (std::size_t h = 0; h < n; ++h) {
+    const HitDetail& detail = scratch.details[h];
+    const auto ray = static_cast<std::size_t>(level.done + level.hits.ray[h]);
+    // A mirror that bulges spreads what it reflects by twice the angle between its normals.
+    const double bulge = 2 * detail.curvature * detail.width;
+    for (const std::int32_t child : {level.hits.reflected[h], level.hits.refracted[h]}) {
+      if (child < 0) continue;
+      next.rays.width[child] = static_cast<R>(detail.width);
+      next.rays.spread[child] =
+          static_cast<R>(static_cast<double>(level.rays.spread[ray]) + bulge);
+    }
+  }
+}
+
+template <class R>
+void start_cones(const FrozenCamera<R>& camera, Level<R>& level) {
+  const V3<double> right{static_cast<double>(camera.right.x), static_cast<double>(camera.right.y),
+                         static_cast<double>(camera.right.z)};
+  const V3<double> down{static_cast<double>(camera.down.x), static_cast<double>(camera.down.y),
+                        static_cast<double>(camera.down.z)};
+  const V3<double> first{static_cast<double>(camera.first.x), static_cast<double>(camera.first.y),
+                         static_cast<double>(camera.first.z)};
+  // A pixel as wide as the window's is where it is nearest to the eye; away from there it looks
+  // smaller, which the cosine to the window's normal says.
+  const V3<double> normal = cross(right, down);
+  const double area = length(normal), away = std::fabs(dot(first, normal)) / area;
+  const double spread = std::sqrt(area) / away;
+  for (std::int32_t i = 0; i < level.ray_count; ++i) {
+    const V3<double> d = three(level.rays.dx, level.rays.dy, level.rays.dz,
+                               static_cast<std::size_t>(i));
+    const double cosine = std::fabs(dot(d, normal)) / area;
+    level.rays.width[i] = R(0);
+    level.rays.spread[i] = static_cast<R>(spread * cosine * std::sqrt(cosine));
+  }
+}
+
+template void find_coefficients(const FrozenScene<float>&, const Level<float>&, Scratch<float>&);
+template void find_coefficients(const FrozenScene<double>&, const Level<double>&,
+                                Scratch<double>&);
+template void spread_cones(const Level<float>&, const Scratch<float>&, Level<float>&);
+template void spread_cones(const Level<double>&, const Scratch<double>&, Level<double>&);
+template void start_cones(const FrozenCamera<float>&, Level<float>&);
+template void start_cones(const FrozenCamera<double>&, Level<double>&);
+
+}  // namespace zraka

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// The torus round y: in its own space the circle in the tube's middle is the unit circle.
+#pragma once
+
+#include <cmath>
+
+#include "math/elementary.hpp"
+#include "shapes/bodies/reach.hpp"
+#include "shapes/bodies/roots.hpp"
+#include "shapes/bodies/slab.hpp"
+#include "shapes/bodies/upright.hpp"
+
+namespace zraka {
+
+template <>
+struct ShapeTraits<Torus> {
+  static constexpr const char* kName = "torus";
+  static constexpr const char* kNouns[2][4] = {{"torus", "torus", "torus", "torus"},
+                                               {"torus", "torus", "torusa", "torusu"}};
+  static constexpr bool kClosed = true, kComposed = false;
+  /// The tube's radius.
+  static constexpr int kNumbers = 1;
+
+  static Bounds bounds(const Torus& s) { return bounds_under(s, {}); }
+
+  /// Around the circle and a ball at its points.
+  static Bounds bounds_under(const Torus& s, const Transform& t) {
+    const Placement placement = place(s);
+    const Transform from_own = under(placement.from_own, t);
+    const double tube = placement.numbers[0];
+    const Vec3 circle = circle_reach(from_own), ball = ball_reach(from_own);
+    return bounds_around(from_own.origin, {circle.x + tube * ball.x, circle.y + tube * ball.y,
+                                           circle.z + tube * ball.z});
+  }
+
+  static double distance_to(const Torus& s, const Vec3& p) {
+    const V3<double> up = axis_frame(s.normal).y, q = vector_of(p) - vector_of(s.center);
+    const double y = dot(q, up);
+    const V3<double> across = q - up * y;
+    const double around = safe_length(across.x, across.y, across.z);
+    return std::fabs(safe_length(around - s.radius, y, 0) - s.tube_radius);
+  }
+
+  static const char* check(const Torus& s) {
+    if (!finite(s.center)) return "its centre is not finite";
+    if (const char* const problem = check_axis(s.normal)) return problem;
+    if (!finite(s.radius) || !finite(s.tube_radius) || !(s.radius > 0 && s.tube_radius > 0))
+      return "its radii are not finite numbers above 0";
+    if (s.tube_radius > s.radius) return "its tube_radius is more than its radius";
+    return nullptr;
+  }
+
+  static Placement place(const Torus& s) {
+    return {upright(s.center, s.normal, s.radius), {s.tube_radius / s.radius}};
+  }
+
+  /// u around the axis as on a sphere, v around the tube: 0.5 is its outside, above it grows.
+  static BodySurface surface(const double*, const V3<double>& p) {
+    constexpr double kPi = 3.14159265358979323846;
+    const double around = std::sqrt(p.x * p.x + p.z * p.z), x = around - 1;
+    const V3<double> out =
+        around > 0 ? V3<double>{p.x / around, 0, p.z / around} : V3<double>{0, 0, 1};
+    BodySurface s;
+    s.normal = {out.x * x, p.y, out.z * x};
+    s.u = 0.5 + elementary::atan2(out.x, out.z) / (2 * kPi);
+    s.v = 0.5 + elementary::atan2(p.y, x) / (2 * kPi);
+    const double circle = 2 * kPi * std::fmax(around, 0x1p-40);
+    s.along_u = {circle * out.z, 0, -circle * out.x};
+    s.along_v = {-2 * kPi * p.y * out.x, 2 * kPi * x, -2 * kPi * p.y * out.z};
+    return s;
+  }
+};
+
+#ifdef ZRAKA_ISA
+namespace ZRAKA_ISA {
+
+/// A ray and a torus. With the origin nearest the middle, |p|² = t² + |o|², and where
+/// (|p|² + 1 - r²)² = 4·(x² + z²) is a polynomial of the fourth degree without a cube of t:
+/// t⁴ + a·t² + b·t + c.
+///
+/// Between the zeros of its derivative there is a zero at most, and between those of the
+/// derivative's derivative, ±√(-a/6), one of the derivative's. The polynomial itself loses much to
+/// cancellation where tubes are thin; (√(x² + z²) - 1)² + y² - r² has the same sign and does not.
+template <class F>
+struct TorusRay {
+  V3<F> o, d;
+  F tube, a, b;
+
+  ZRAKA_INLINE TorusRay(const BodyRay<F>& ray, F tube_radius)
+      : o(ray.origin), d(ray.direction), tube(tube_radius) {
+    const F sum = dot(o, o) + F(1.0) - tube * tube;
+    a = F(2.0) * sum - F(4.0) + F(4.0) * (d.y * d.y);
+    b = F(8.0) * (o.y * d.y);
+  }
+
+  ZRAKA_INLINE ValueAndSlope<F> at(F t) const {
+    const F x = o.x + t * d.x, y = o.y + t * d.y, z = o.z + t * d.z;
+    const F around = sqrt(x * x + z * z), out = around - F(1.0);
+    return {out * out + y * y - tube * tube,
+            F(2.0) * (out * ((x * d.x + z * d.z) / around) + y * d.y)};
+  }
+  /// A quarter of the polynomial's derivative.
+  ZRAKA_INLINE ValueAndSlope<F> derivative(F t) const {
+    const F half = a * F(0.5);
+    return {(t * t + half) * t + b * F(0.25), F(3.0) * (t * t) + half};
+  }
+};
+
+template <class D>
+struct BodyLanes<Torus, D> {
+  using F = typename D::F;
+  using M = typename D::M;
+  static constexpr int kMost = 4;
+
+  template <class Numbers>
+  static ZRAKA_INLINE void cross(const Numbers& numbers, const BodyRay<F>& ray, F (&at)[kMost]) {
+    for (F& t : at) t = F(kNever);
+    const TorusRay<F> torus(ray, numbers(0));
+    // Within the ball and the slab that hold it.
+    const F reach = F(1.0) + torus.tube;
+    const F chord = reach * reach - dot(ray.origin, ray.origin);
+    const F end = sqrt(max(chord, F(0.0)));
+    Span<F> span{-end, end};
+    clip(span, ray.origin.y, ray.direction.y, torus.tube);
+    const auto near = both(chord >= F(0.0), span.in <= span.out);
+    if (!any(near)) return;
+
+    F turns[5] = {span.in, F(0.0), F(0.0), F(0.0), span.out};
+    find_turns(torus, span, near, turns);
+    M inside[5];
+    inside[0] = inside[4] = F(0.0) > F(0.0);
+    for (int k = 1; k < 4; ++k) inside[k] = torus.at(turns[k]).value <= F(0.0);
+    for (int k = 3; k >= 0; --k) {
+      const auto falls = but_not(inside[k + 1], inside[k]),
+                 rises = but_not(inside[k], inside[k + 1]);
+      const auto crossed = both(near, either(falls, rises));
+      if (!any(crossed)) continue;
+      const Bracket<F, M> bracket{turns[k], turns[k + 1], falls};
+      put_first(crossed, zero_in(bracket, crossed, [&](F t) { return torus.at(t); }), at);
+    }
+  }
+
+ private:
+  /// Sets turns[1…3] to the zeros of the derivative in a span, ascending; where there are fewer,
+  /// to other places.
+  static ZRAKA_INLINE void find_turns(const TorusRay<F>& torus, const Span<F>& span, M near,
+                                      F (&turns)[5]) {
+    const F bend = sqrt(max(torus.a * F(-1.0 / 6), F(0.0)));
+    const auto within = [&](F t) { return min(max(t, span.in), span.out); };
+    const F ends[4] = {span.in, within(-bend), within(bend), span.out};
+    M positive[4];
+    for (int k = 0; k < 4; ++k) positive[k] = torus.derivative(ends[k]).value > F(0.0);
+    for (int k = 0; k < 3; ++k) {
+      const auto falls = but_not(positive[k], positive[k + 1]),
+                 rises = but_not(positive[k + 1], positive[k]);
+      const auto turned = both(near, either(falls, rises));
+      turns[k + 1] = ends[k];
+      if (!any(turned)) continue;
+      const Bracket<F, M> bracket{ends[k], ends[k + 1], falls};
+      const F zero = zero_in(bracket, turned, [&](F t) { return torus.derivative(t); });
+      turns[k + 1] = select(turned, zero, ends[k]);
+    }
+  }
+};
+
+}  // namespace ZRAKA_ISA
+#endif
+
+}  // namespace zraka

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bodies where formulas go wrong: crossings that are known, shapes that are almost none, and what
+// is no shape.
+#include "expect_crossings.hpp"
+
+namespace zraka::truth {
+namespace {
+
+/// Of one ray, as distances.
+template <class Shape>
+std::vector<Real> crossed_at(const Shape& shape, const Vec3& origin, const Vec3& direction) {
+  const Placed<Shape> body(shape);
+  const BodyProbeRay ray{{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}};
+  return finite_ones(crossings<Shape>(body.row, {ray}).front());
+}
+void expect_near(const std::vector<Real>& got, const std::vector<double>& want) {
+  ASSERT_EQ(got.size(), want.size());
+  for (std::size_t i = 0; i < got.size(); ++i) EXPECT_NEAR(double(got[i]), want[i], 1e-14);
+}
+
+/// Rays of all kinds, and rays that touch.
+template <class Shape>
+void expect_all_crossings(const Shape& shape) {
+  Random random(4);
+  ASSERT_EQ(ShapeTraits<Shape>::check(shape), nullptr);
+  const Placed<Shape> body(shape);
+  const auto rays = rays_at(body, ray_count(2000), random);
+  const auto found = crossings<Shape>(body.row, rays);
+  expect_crossings(body, rays, found);
+  const auto touching = touching_rays(body, rays, found, random);
+  expect_crossings(body, touching, crossings<Shape>(body.row, touching));
+}
+
+template <class Shape>
+void expect_problem(const Shape& shape, const char* want) {
+  EXPECT_STREQ(ShapeTraits<Shape>::check(shape), want);
+}
+constexpr double kNan = __builtin_nan("");
+
+TEST(BoxCases, AreCrossedAlongFacesAndEdges) {
+  const Box box{{-1, -2, -3}, {1, 2, 3}};
+  expect_near(crossed_at(box, {0, 0, -10}, {0, 0, 1}), {7, 13});
+  expect_near(crossed_at(box, {1, 0, -10}, {0, 0, 1}), {7, 13});
+  expect_near(crossed_at(box, {1, -2, 10}, {0, 0, -1}), {7, 13});
+  expect_near(crossed_at(box, {1.0000001, 0, -10}, {0, 0, 1}), {});
+  expect_near(crossed_at(box, {0.25, 0, 0}, {-1, 0, 0}), {-0.75, 1.25});
+  // The corner is nearer where it is round: by (√3 - 1)·0.5.
+  const double r = 1 / std::sqrt(3.0), to_corner = std::sqrt(3.0);
+  const Box cube{{-1, -1, -1}, {1, 1, 1}}, round{{-1, -1, -1}, {1, 1, 1}, 0.5};
+  expect_near(crossed_at(cube, {2, 2, 2}, {-r, -r, -r}), {to_corner, 3 * to_corner});
+  const double rounded = (to_corner - 1) / 2;
+  expect_near(crossed_at(round, {2, 2, 2}, {-r, -r, -r}),
+              {to_corner + rounded, 3 * to_corner - rounded});
+  expect_near(crossed_at(round, {0.75, 3, 0.25}, {0, -1, 0}),
+              {2.5 - std::sqrt(0.1875), 3.5 + std::sqrt(0.1875)});
+}
+TEST(BoxCases, WithRoundEdgesFromAHairToABall) {
+  expect_all_crossings(Box{{-1, -1, -1}, {1, 1, 1}, 1});
+  expect_all_crossings(Box{{-1, -0.5, -1}, {1, 0.5, 1}, 0.5});
+  expect_all_crossings(Box{{-1, -0.25, -0.25}, {1, 0.25, 0.25}, 0.25});
+  expect_all_crossings(Box{{-1, -0.5, -0.75}, {1, 0.5, 0.75}, 1e-9});
+  expect_all_crossings(Box{{-1, -1e-6, -0.75}, {1, 1e-6, 0.75}, 1e-7});
+  expect_all_crossings(Box{{-1, -1e-6, -0.75}, {1, 1e-6, 0.75}});
+}
+TEST(BoxCases, HavePicturesUprightOnEveryFace) {
+  const auto uv = [](const V3<double>& p) {
+    const double numbers[] = {0, 1, 1, 1};
+    const BodySurface s = ShapeTraits<Box>::surface(numbers, p);
+    return std::pair(s.u, s.v);
+  };
+  EXPECT_EQ(uv({0.5, -0.5, 1}), std::pair(0.75, 0.25));
+  EXPECT_EQ(uv({0.5, -0.5, -1}), std::pair(0.25, 0.25));
+  EXPECT_EQ(uv({1, -0.5, 0.5}), std::pair(0.25, 0.25));
+  EXPECT_EQ(uv({-1, -0.5, 0.5}), std::pair(0.75, 0.25));
+  EXPECT_EQ(uv({0.5, 1, 0.5}), std::pair(0.75, 0.25));
+  EXPECT_EQ(uv({0.5, -1, 0.5}), std::pair(0.75, 0.75));
+}
+TEST(BoxCases, AreCheckedInWords) {
+  expect_problem(Box{{0, 0, 0}, {1, 1, kNan}}, "a corner is not finite");
+  expect_problem(Box{{0, 0, 0}, {1, 0, 1}}, "its max is not above its min along every axis");
+  expect_problem(Box{{0, 0, 0}, {1, 1, 1}, -1}, "its radius is not a finite number of 0 or more");
+  expect_problem(Box{{0, 0, 0}, {1, 2, 3}, 0.6}, "its radius is more than half its shortest side");
+  expect_problem(Box{{0.1, 0, 0}, {0.3, 1, 1}, 0.1}, nullptr);
+}
+
+TEST(FrustumCases, AreCrossedAlongAndThroughTheAxis) {
+  const Frustum cone{{0, 0, 0}, 1, {0, 2, 0}, 0};
+  expect_near(crossed_at(cone, {0, -3, 0}, {0, 1, 0}), {3, 5});
+  expect_near(crossed_at(cone, {0.5, -3, 0}, {0, 1, 0}), {3, 4});
+  expect_near(crossed_at(cone, {-5, 1, 0}, {1, 0, 0}), {4.5, 5.5});
+  const double s = 1 / std::sqrt(5.0);  // parallel to the side, and on it
+  expect_near(crossed_at(cone, {0.5, 0, 0}, {s, -2 * s, 0}), {-0.75 * std::sqrt(5.0), 0});
+  const Frustum open{{0, 0, 0}, 1, {0, 2, 0}, 0, false};
+  expect_near(crossed_at(open, {0.5, -3, 0}, {0, 1, 0}), {4});
+  const Frustum pipe{{0, 0, 0}, 1, {0, 2, 0}, 1, false};
+  expect_near(crossed_at(pipe, {0.5, -3, 0}, {0, 1, 0}), {});
+  expect_near(crossed_at(pipe, {-5, 1, 0}, {1, 0, 0}), {4, 6});
+}
+TEST(FrustumCases, FromNeedlesToCoins) {
+  for (const bool caps : {true, false}) {
+    expect_all_crossings(Frustum{{0, -1, 0}, 1e-5, {0, 1, 0}, 1e-5, caps});
+    expect_all_crossings(Frustum{{0, -1, 0}, 1e-4, {0, 1, 0}, 0, caps});
+    expect_all_crossings(Frustum{{0, 0, 0}, 1, {0, 1e-6, 0}, 0.5, caps});
+    expect_all_crossings(Frustum{{0, 0, 0}, 1, {0, 1e-6, 0}, 0, caps});
+    expect_all_crossings(Frustum{{-0.5, 0, 0}, 0.5, {0.5, 0, 0}, 0.5 + 1e-12, caps});
+  }
+}
+TEST(FrustumCases, AreCheckedInWords) {
+  expect_problem(Frustum{{0, 0, 0}, 1, {0, kNan, 0}}, "an end is not finite");
+  expect_problem(Frustum{{0, 0, 0}, 0, {0, 1, 0}, 0},
+                 "its radii are not finite numbers of 0 or more, one of them more");
+  expect_problem(Frustum{{0, 0, 0}, -1, {0, 1, 0}, 1},
+                 "its radii are not finite numbers of 0 or more, one of them more");
+  expect_problem(Frustum{{1, 2, 3}, 1, {1, 2, 3}, 1}, "its ends are one point");
+  EXPECT_STREQ(ShapeTraits<Frustum>::check_member({{0, 0, 0}, 1, {0, 1, 0}, 1, false}),
+               "without caps it has no inside");
+}
+
+TEST(TorusCases, HaveFourCrossingsThroughTheHole) {
+  const Torus torus{{0, 0, 0}, {0, 1, 0}, 1, 0.25};
+  expect_near(crossed_at(torus, {-2, 0, 0}, {1, 0, 0}), {0.75, 1.25, 2.75, 3.25});
+  expect_near(crossed_at(torus, {0, 0, 0}, {0, 0, -1}), {-1.25, -0.75, 0.75, 1.25});
+  expect_near(crossed_at(torus, {0, 5, 0}, {0, -1, 0}), {});
+  expect_near(crossed_at(torus, {1, 5, 0}, {0, -1, 0}), {4.75, 5.25});
+  // Inside of the hole's edge, along it: through the tube on both sides.
+  const double half = std::sqrt(1.25 * 1.25 - 0.75 * 0.75);
+  expect_near(crossed_at(torus, {0, 0, 0.7499}, {1, 0, 0}),
+              {-std::sqrt(1.25 * 1.25 - 0.7499 * 0.7499), -std::sqrt(0.75 * 0.75 - 0.7499 * 0.7499),
+               std::sqrt(0.75 * 0.75 - 0.7499 * 0.7499), std::sqrt(1.25 * 1.25 - 0.7499 * 0.7499)});
+  const auto touching = crossed_at(torus, {0, 0, 0.75}, {1, 0, 0});
+  ASSERT_EQ(touching.size() % 2, 0u);
+  EXPECT_NEAR(double(touching.front()), -half, 1e-14);
+  EXPECT_NEAR(double(touching.back()), half, 1e-14);
+  // On its top circle, which a level ray at 1/4 touches twice.
+  EXPECT_EQ(crossed_at(torus, {-2, 0.25, 0.5}, {1, 0, 0}).size() % 2, 0u);
+}
+TEST(TorusCases, FromWiresToThoseWithoutAHole) {
+  for (const double tube : {1e-7, 1e-5, 1e-3, 0.5, 1 - 1e-9, 1.0})
+    expect_all_crossings(Torus{{0, 0, 0}, {0, 1, 0}, 1, tube});
+  expect_all_crossings(Torus{{0.1, 0.2, 0.3}, {1e-9, 1, 1e-5}, 0.5, 0.25});
+}
+TEST(TorusCases, AreCheckedInWords) {
+  expect_problem(Torus{{0, 0, kNan}}, "its centre is not finite");
+  expect_problem(Torus{{0, 0, 0}, {0, 0, 0}}, "its normal is 0");
+  expect_problem(Torus{{0, 0, 0}, {0, 1, 0}, 0, 1}, "its radii are not finite numbers above 0");
+  expect_problem(Torus{{0, 0, 0}, {0, 1, 0}, 1, 1.25}, "its tube_radius is more than its radius");
+}
+
+}  // namespace
+}  // namespace zraka::truth
