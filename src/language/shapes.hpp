@@ -19,6 +19,7 @@
   X(plane)                   \
   X(cylinder)                \
   X(cone)                    \
+  X(torus)                   \
   X(triangle)                \
   X(polygon)                 \
   X(union_)                  \
@@ -29,9 +30,8 @@
 namespace zraka::language {
 
 /// Kinds of the language that are not built yet.
-inline constexpr std::string_view kShapesNotBuilt[] = {"parallelogram", "disc",    "capsule",
-                                                       "torus",         "quadric", "superellipsoid",
-                                                       "height_field",  "mesh"};
+inline constexpr std::string_view kShapesNotBuilt[] = {
+    "parallelogram", "disc", "capsule", "quadric", "superellipsoid", "height_field", "mesh"};
 
 namespace shape {
 #define ZRAKA_DECLARE(name) extern const Kind name;
