@@ -205,8 +205,6 @@ TEST(SceneLanguage, SaysWhatIsNotBuiltYet) {
             "s.toml:2:14: error: a colour for reflection of material a is not built yet");
   EXPECT_EQ(first("[material.a]\nabsorption = [0, 0, 1]\n"),
             "s.toml:2:14: error: absorption of material a other than 0 is not built yet");
-  EXPECT_EQ(first("[[shape]]\nkind = \"mesh\"\n"),
-            "s.toml:2:8: error: shape of kind \"mesh\" is not built yet");
 }
 
 TEST(SceneLanguage, SaysWhatIsWrongWithValuesThatDoNotGoTogether) {

@@ -22,6 +22,8 @@
   X(torus)                   \
   X(triangle)                \
   X(polygon)                 \
+  X(height_field)            \
+  X(mesh)                    \
   X(union_)                  \
   X(intersection)            \
   X(difference)              \
@@ -31,7 +33,8 @@ namespace zraka::language {
 
 /// Kinds of the language that are not built yet.
 inline constexpr std::string_view kShapesNotBuilt[] = {
-    "parallelogram", "disc", "capsule", "quadric", "superellipsoid", "height_field", "mesh"};
+    "parallelogram", "disc", "capsule", "quadric", "superellipsoid",
+};
 
 namespace shape {
 #define ZRAKA_DECLARE(name) extern const Kind name;
