@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "scene_files.hpp"
 #include "terminal.hpp"
 #include "zraka/lint.hpp"
 #include "zraka/zraka.hpp"
@@ -12,8 +13,14 @@
 namespace zraka::app {
 namespace {
 
-int run(const std::string& scene) {
-  Result<ReadScene> read = read_scene(scene);
+struct Arguments {
+  std::string scene;
+  ReadOptions files;
+};
+
+int run(const Arguments& arguments) {
+  const std::string& scene = arguments.scene;
+  Result<ReadScene> read = read_scene(scene, arguments.files);
   if (!read) return fail(read.error());
   show(read->warnings);
   const Diagnostics wrong = about(scene, check(read->scene));
@@ -25,16 +32,17 @@ int run(const std::string& scene) {
 }  // namespace
 
 void add_check(Command& program) {
-  auto scene = std::make_shared<std::string>();
+  auto arguments = std::make_shared<Arguments>();
   Command app = program.add_command("check", "say what is wrong or odd in a scene file");
-  app.add("SCENE", scene.get(), "the scene file; - reads standard input").required();
+  app.add("SCENE", &arguments->scene, "the scene file; - reads standard input").required();
+  add_allow_outside_to(app, arguments->files);
   app.footer(
       "Prints nothing where all is well. What can be rendered but is odd gets a warning, and the\n"
       "exit code is 0.\n"
       "Examples:\n"
       "  zraka check scene.toml\n"
       "  zraka check scenes/lab/input.txt && echo all is well");
-  app.action([scene] { return run(*scene); });
+  app.action([arguments] { return run(*arguments); });
 }
 
 }  // namespace zraka::app

@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "core/new_file.hpp"
+#include "scene_files.hpp"
 #include "terminal.hpp"
 #include "zraka/zraka.hpp"
 
@@ -15,12 +16,13 @@ namespace {
 struct Arguments {
   std::string scene, output = "-", format;
   bool quiet = false;
+  ReadOptions files;
 };
 
 int run(const Arguments& arguments) {
   if (const Result<void> apart = check_outputs({arguments.scene}, {arguments.output}); !apart)
     return fail(apart.error());
-  Result<ReadScene> read = read_scene(arguments.scene);
+  Result<ReadScene> read = read_scene(arguments.scene, arguments.files);
   if (!read) return fail(read.error());
   if (!arguments.quiet) show(read->warnings);
   const Result<WrittenScene> written =
@@ -41,6 +43,7 @@ void add_convert(Command& program) {
   app.add("--to", &arguments->format, "toml, nff or lab (input.txt); else by the output's name")
       .one_of({"toml", "nff", "lab"});
   app.add("-q,--quiet", &arguments->quiet, "say nothing of what the format cannot hold");
+  add_allow_outside_to(app, arguments->files);
   app.footer(
       "Examples:\n"
       "  zraka convert scenes/lab/input.txt scene.toml\n"
@@ -55,6 +58,7 @@ void add_format(Command& program) {
       program.add_command("format", "write a scene in the scene language's canonical form");
   app.add("SCENE", &arguments->scene, "the scene file; - reads standard input").required();
   app.add("-o,--output", &arguments->output, "the file to write; - (default) is standard output");
+  add_allow_outside_to(app, arguments->files);
   app.footer(
       "Comments are not kept, and what is short for something else is written out.\n"
       "Examples:\n"

@@ -9,6 +9,7 @@
 #include "core/json.hpp"
 #include "core/text.hpp"
 #include "scene/bounds_of.hpp"
+#include "scene_files.hpp"
 #include "terminal.hpp"
 #include "zraka/zraka.hpp"
 
@@ -18,6 +19,7 @@ namespace {
 struct Arguments {
   std::string scene;
   std::string format = "text";
+  ReadOptions files;
 };
 
 struct Facts {
@@ -83,7 +85,7 @@ void print_text(const Scene& scene, const Facts& facts) {
 }
 
 int run(const Arguments& arguments) {
-  const Result<ReadScene> read = read_scene(arguments.scene);
+  const Result<ReadScene> read = read_scene(arguments.scene, arguments.files);
   if (!read) return fail(read.error());
   show(read->warnings);
   const Facts facts = facts_of(read->scene);
@@ -101,6 +103,7 @@ void add_info(Command& program) {
   Command app = program.add_command("info", "say what a scene file holds");
   app.add("SCENE", &arguments->scene, "the scene file; - reads standard input").required();
   app.add("--format", &arguments->format, "text (default) or json").one_of({"text", "json"});
+  add_allow_outside_to(app, arguments->files);
   app.footer(
       "Examples:\n"
       "  zraka info scenes/lab/input.txt\n"

@@ -13,6 +13,7 @@
 
 #include "core/new_file.hpp"
 #include "core/words.hpp"
+#include "scene_files.hpp"
 #include "terminal.hpp"
 
 namespace zraka::app {
@@ -69,6 +70,7 @@ void RenderArguments::add_to(Command& command, Needs scene_needed) {
   command.add("--isa", &isa, "instruction set: avx512, avx2 or portable; no pixel changes")
       .check("avx512, avx2 or portable",
              [](const std::string& name) { return isa_named(name).has_value(); });
+  add_allow_outside_to(command, files);
   command.add("-q,--quiet", &quiet, "no progress bar, no warnings");
 }
 
@@ -105,7 +107,7 @@ Result<Scene> RenderArguments::load(const std::vector<std::string>& outputs,
     [[maybe_unused]] static const auto* const limit = new tbb::global_control(
         tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   }
-  Result<ReadScene> read = read_scene(scene);
+  Result<ReadScene> read = read_scene(scene, files);
   if (!read) return tl::make_unexpected(read.error());
   if (!quiet) show(read->warnings);
   Scene& loaded = read->scene;

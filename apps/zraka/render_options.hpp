@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include <zraka/formats.hpp>
 #include <zraka/school/school.hpp>
 
 #include "command.hpp"
@@ -22,6 +23,7 @@ struct RenderArguments {
   int tile = 0;
   std::string isa;
   bool quiet = false;
+  ReadOptions files;
 
   void add_to(Command& command, Needs scene_needed = Needs::always);
 

@@ -142,7 +142,7 @@ struct CsgMember {
   AnyBody body;
   std::uint32_t material = kMaterialOfWhole;  ///< index in Scene::materials
   std::uint32_t transform = 0;  ///< as Object::transform, into the whole shape's space
-  std::string name;             ///< UTF-8, "" where it has none
+  std::string name{};           ///< UTF-8, "" where it has none
 };
 
 }  // namespace zraka

@@ -357,7 +357,7 @@ Likeness likeness_to_lab_input(std::string_view text) {
 }
 
 Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name,
-                    const ReadOptions&) {
+                                  const ReadOptions&) {
   return Reader(text, name).read();
 }
 

@@ -57,6 +57,8 @@ Result<WrittenScene> write_lab_scene(const Scene& scene) {
   if (!text) return tl::make_unexpected(text.error());
   Losses losses;
   losses.defaults(scene, {.profile = ProfileName::lab});
+  for (const Object<Sphere>& sphere : scene.spheres)
+    losses.textures(scene.materials[sphere.material]);
   return WrittenScene{*text, losses.diagnostics("input.txt")};
 }
 

@@ -23,6 +23,11 @@ void Losses::defaults(const Scene& scene, const RenderDefaults& of_format) {
   count("that there are no shadows", scene.defaults.shadows != of_format.shadows);
 }
 
+void Losses::textures(const Material& material) {
+  count("materials: textures", material.textures.size());
+  count("materials: bumps and maps of normals", material.normals.kind != NormalUse::Kind::none);
+}
+
 Diagnostics Losses::diagnostics(std::string_view format) const {
   Diagnostics all;
   for (const auto& [what, times] : counts_)

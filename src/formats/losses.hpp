@@ -17,6 +17,8 @@ class Losses {
   void count(std::string_view what, std::uint64_t times);
   /// Where a scene of the format is rendered with other defaults than this one.
   void defaults(const Scene& scene, const RenderDefaults& of_format);
+  /// What textures give to a material that shapes have.
+  void textures(const Material& material);
   /// A warning for each kind of loss.
   Diagnostics diagnostics(std::string_view format) const;
 

@@ -8,6 +8,7 @@
 
 #include "formats/formats.hpp"
 #include "formats/losses.hpp"
+#include "shapes/bodies.hpp"
 
 namespace zraka {
 namespace {
@@ -85,6 +86,7 @@ void Writer::write_material(std::uint32_t index) {
   losses_.count("materials: the highlight's colour", m.specular != Color{ks, ks, ks});
   losses_.count("materials: another share of the reflected ray than of the highlight",
                 m.reflection != ks);
+  losses_.textures(m);
   put(fmt::format("f {} 1 {} {} {} {}\n", words(c), ks, m.shininess, m.refraction, m.ior));
 }
 
@@ -131,6 +133,10 @@ Result<WrittenScene> Writer::write() {
 #define ZRAKA_WRITE(Type, plural) write_all(scene_.plural);
   ZRAKA_PRIMITIVES(ZRAKA_WRITE)
 #undef ZRAKA_WRITE
+#define ZRAKA_COUNT(Type, plural) \
+  losses_.count(fmt::format("shapes: {}", ShapeTraits<Type>::kName), scene_.plural.size());
+  ZRAKA_BODIES(ZRAKA_COUNT)
+#undef ZRAKA_COUNT
   written_.losses = losses_.diagnostics("NFF");
   return std::move(written_);
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <optional>
+#include <set>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -204,6 +205,10 @@ class Checker {
                  "");
     };
     for (const TextureUse& use : material.textures) in_range(use.texture);
+    std::set<Coefficient> given;
+    for (const TextureUse& use : material.textures)
+      if (!given.insert(use.coefficient).second)
+        complain(fmt::format("material {} has two textures for one coefficient", index + 1));
     if (material.normals.kind == NormalUse::Kind::none) return;
     in_range(material.normals.texture);
     if (!std::isfinite(material.normals.height))
