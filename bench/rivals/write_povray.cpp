@@ -7,7 +7,7 @@
 // white.
 #include <algorithm>
 
-#include "scene_writer.hpp"
+#include "povray_bodies.hpp"
 
 namespace {
 
@@ -20,7 +20,9 @@ std::string vector(const Vec3& v) {
 
 void add_camera(const Scene& scene, Text& out) {
   const Camera& c = scene.camera;
-  const auto more = [](std::uint32_t pixels) { return (pixels + 1.0) / pixels; };
+  // Pictures that are compared pixel by pixel look through centres, as POV-Ray does.
+  const bool corners = scene.defaults.profile != ProfileName::physical || scene.format == "NFF";
+  const auto more = [&](std::uint32_t pixels) { return corners ? (pixels + 1.0) / pixels : 1; };
   out.add("camera {{ perspective location {} direction {} right {} up {} }}\n", vector(c.eye),
           vector(c.window_center - c.eye), vector(c.window_right * more(scene.resolution.width)),
           vector(c.window_up * more(scene.resolution.height)));
@@ -95,6 +97,7 @@ std::string translate(const Scene& scene) {
                 vector(s.b), vector(s.normal_b), vector(s.c), vector(s.normal_c));
       },
       out);
+  add_bodies(scene, [](std::uint32_t material) { return fmt::format("M{}()", material); }, out);
   return out.str();
 }
 
