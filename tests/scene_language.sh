@@ -105,6 +105,30 @@ $folder/good.toml: warning: lost in NFF: materials: another ambient share than t
 expect 0 "picture     64 × 48 pixels" "$zraka" info "$folder/good.nff"
 exactly 1 "$folder/good.toml: error: the course's input.txt format cannot say where this scene's window is: it knows squares in the plane z = 0 around the origin" \
   "$zraka" convert "$folder/good.toml" - --to lab
+
+# Shapes, groups, CSG and textures: formatted, the same; and what other formats lose of them.
+cp fuzz/corpus/scene_language/breadth.toml "$folder/breadth.toml"
+exactly 0 "" "$zraka" check "$folder/breadth.toml"
+"$zraka" format "$folder/breadth.toml" >"$folder/broad.toml" || fail "format of breadth"
+"$zraka" format "$folder/broad.toml" >"$folder/again.toml" || fail "format of what is formatted"
+cmp -s "$folder/broad.toml" "$folder/again.toml" || fail "the canonical form of breadth changes"
+[ "$(hash_of "$folder/breadth.toml" --width 80)" = "$(hash_of "$folder/broad.toml" --width 80)" ] || fail "format changes breadth"
+expect 0 "warning: lost in NFF: shapes: instance" "$zraka" convert "$folder/breadth.toml" "$folder/breadth.nff"
+
+# Files that a scene names: in its folder, or outside where that is allowed.
+mkdir -p "$folder/inside"
+printf 'P3 1 1 255 255 0 0\n' | tee "$folder/red.ppm" >"$folder/inside/red.ppm"
+printf '[texture.t]\nkind = "image"\nfile = "red.ppm"\n' >"$folder/inside/good.toml"
+printf '[texture.t]\nkind = "image"\nfile = "../red.ppm"\n' >"$folder/inside/out.toml"
+exactly 0 "" "$zraka" info "$folder/inside/good.toml"
+exactly 1 "$folder/inside/out.toml:3:8: error: file of image texture: '../red.ppm' lies outside of the scene's folder
+  file = \"../red.ppm\"
+         ^
+  put it beside the scene, or allow it with --allow-outside" "$zraka" info "$folder/inside/out.toml"
+exactly 0 "" "$zraka" info "$folder/inside/out.toml" --allow-outside
+exactly 0 "" "$zraka" format "$folder/inside/out.toml" --allow-outside
+exactly 0 "" "$zraka" convert "$folder/inside/out.toml" - --to toml --allow-outside
+exactly 0 "" "$zraka" render "$folder/inside/out.toml" --allow-outside --quiet --width 8 -o "$folder/a.png"
 expect 1 "is no format that can be written" "$zraka" convert "$folder/good.toml" "$folder/good.obj"
 cp "$folder/good.toml" "$folder/own.toml"
 expect 1 "would be written over an input of this command" "$zraka" format "$folder/own.toml" -o "$folder/own.toml"
@@ -134,7 +158,7 @@ if NODE_PATH=$modules node -e 'require("ajv")' 2>/dev/null && python3 -c 'import
       ' "$folder/schema.json" "$folder/scene.json" >"$folder/words" 2>&1
   }
   "$zraka" convert scenes/nff/benzene.nff "$folder/benzene.toml"
-  for scene in good window formatted unshadowed converted benzene; do
+  for scene in good window formatted unshadowed converted benzene breadth broad; do
     valid "$folder/$scene.toml" || fail "the schema refuses $scene.toml: $(head -c 500 "$folder/words")"
   done
   # One line of a good scene made wrong, each a way of its own.
@@ -142,6 +166,15 @@ if NODE_PATH=$modules node -e 'require("ajv")' 2>/dev/null && python3 -c 'import
     's/"#203040"/"blue"/' 's/samples = 1/samples = 4/' 's/center = .*/center = [1, 2]/' 's/\[scene\]/[scenes]/' 's/name = "ball"/name = 3/' \
     's/max_depth = 5/max_depth = 201/' 's/caps = false/caps = 0/' 's/look_at = .*/look_at = "here"/'; do
     sed "$wrong" "$folder/good.toml" >"$folder/wrong.toml"
+    valid "$folder/wrong.toml" && fail "the schema accepts $wrong"
+    expect 1 "error" "$zraka" check "$folder/wrong.toml"
+  done
+  for wrong in 's/{scale = \[1, 2, 1\]}/{scale = [1, 2]}/' 's/by_deg = 45/by_degrees = 45/' 's/colors = .*/colors = [1]/' 's/"mirror"/"mirrored"/' \
+    's/{kind = "sphere", center = \[3, 1, 1\], radius = 0.8/{kind = "polygon", points = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]/' \
+    's/octaves = 5/octaves = 0/' 's/\[0.25, 1\]\]/[0.25]]/' 's/{kind = "box", min/{kind = "box", mini/' 's/shape = \[{/shape = [3, {/' \
+    's/^inner_radius = .*/inner_radius = -1/' 's/bump = .*/bump = {height = 1}/' 's/\[0, 1, 1, 3\]\]/[0, 1, 1]]/'; do
+    sed "$wrong" "$folder/breadth.toml" >"$folder/wrong.toml"
+    cmp -s "$folder/wrong.toml" "$folder/breadth.toml" && fail "nothing is made wrong by $wrong"
     valid "$folder/wrong.toml" && fail "the schema accepts $wrong"
     expect 1 "error" "$zraka" check "$folder/wrong.toml"
   done

@@ -114,6 +114,7 @@ struct About {
   /// What the language names for it besides, but is not built yet: "a texture".
   std::string_view later{};
   bool textured = false;  ///< a texture may stand in the place of the value
+  bool closed = false;    ///< of shapes: closed bodies alone
 };
 
 struct Field {

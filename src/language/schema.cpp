@@ -100,9 +100,11 @@ Json transform_schema() {
   const Json number = number_of({}, "number"), vector = array_of(number, 3, 3);
   Json direction = vector;
   direction["not"] = {{"const", {0, 0, 0}}};
+  Json factor = number;
+  factor["not"] = {{"const", 0}};
   Json scale = Json::array();
-  scale.push_back(number);
-  scale.push_back(vector);
+  scale.push_back(factor);
+  scale.push_back(array_of(factor, 3, 3));
   Json steps = Json::array();
   steps.push_back(table_with({{"scale", {{"anyOf", scale}}}}));
   steps.push_back(table_with({{"rotate", direction}, {"by_deg", number}}));
@@ -167,7 +169,7 @@ Json plain_value_of(const Field& field) {
       return {{"anyOf", any}};
     }
     case FieldKind::shapes:
-      return array_of(defined("shape"), about.fewest, about.most);
+      return array_of(defined(about.closed ? "body" : "shape"), about.fewest, about.most);
     case FieldKind::choice:
       return choice_of(about);
     case FieldKind::table:
@@ -210,13 +212,14 @@ Json object_of(const std::vector<const Table*>& tables, const Kind* kind, bool k
   return json;
 }
 
-Json item_of(const Section& section) {
+Json item_of(const Section& section, bool closed = false) {
   if (section.family == nullptr) return object_of({section.table}, nullptr, false);
   const Family& family = *section.family;
   Json kinds = Json::array();
   for (const Kind* kind : family.kinds)
-    kinds.push_back(
-        object_of({&kind->table, &family.common}, kind, kind->name != family.default_kind));
+    if (kind->closed || !closed)
+      kinds.push_back(
+          object_of({&kind->table, &family.common}, kind, kind->name != family.default_kind));
   return {{"anyOf", kinds}};
 }
 
@@ -248,6 +251,7 @@ std::string json_schema() {
                      {"additionalProperties", false},
                      {"definitions",
                       {{"shape", item_of(section::shape)},
+                       {"body", item_of(section::shape, true)},
                        {"texture", item_of(section::texture)},
                        {"transform", transform_schema()}}}};
   return json.dump(2) + "\n";

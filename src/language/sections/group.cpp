@@ -113,14 +113,13 @@ void end(Input& input) {
 }
 
 void write(Output& output) {
+  std::string& text = output.text.text;
   for (std::size_t i = 0; i < output.scene.groups.size(); ++i) {
-    const Group& group = output.scene.groups[i];
     const std::string key = key_of(output.groups[i]);
-    if (group.shape_count() > 0)
-      write_shapes(group, true, fmt::format("[[group.{}.shape]]", key), output);
-    else
-      output.text.text +=
-          fmt::format("{}[group.{}]\nshape = []\n", output.text.text.empty() ? "" : "\n", key);
+    const std::size_t before = text.size();
+    write_shapes(output.scene.groups[i], true, fmt::format("[[group.{}.shape]]", key), output);
+    if (text.size() == before)
+      text += fmt::format("{}[group.{}]\nshape = []\n", text.empty() ? "" : "\n", key);
   }
 }
 

@@ -17,7 +17,8 @@ constexpr Field kFields[] = {
         "of", {.text = "closed bodies, and unions, intersections and differences of them; each may "
                        "have a material, a name and a transform of its own",
                .required = true,
-               .fewest = 1}),
+               .fewest = 1,
+               .closed = true}),
 };
 
 /// The kinds that may be members: "sphere, …".
