@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <zraka/zraka.hpp>
 
 #include "scene/csg_size.hpp"
 
@@ -50,12 +51,26 @@ TEST(CheckBodies, FindsTransformsThatAreNone) {
   Scene scene = plain_scene();
   scene.transforms.push_back({{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {}});
   scene.transforms.push_back({{1, 0, 0}, {0, 1, 0}, {0, 0, kNaN}, {}});
-  scene.spheres.push_back({{{0, 0, 0}, 1}, 0, 4});
+  scene.boxes.push_back({{}, 0, 4});
   scene.planes.push_back({{}, 0, 3});
   EXPECT_EQ(problems(scene),
             "transform 2: it makes all that it moves flat\n"
             "transform 3: it is not finite\n"
-            "sphere 1: it has transform 4, but there are 3\n");
+            "box 1: it has transform 4, but there are 3\n");
+}
+
+TEST(CheckBodies, IsPartOfTheWholeCheck) {
+  Scene scene = plain_scene();
+  scene.planes.push_back({{{}, {0, 0, 0}}, 0, 0});
+  scene.spheres.push_back({{{0, 0, 0}, 1}, 0, 4});
+  std::string all;
+  for (const Diagnostic& d : check(scene)) all += d.message + "\n";
+  EXPECT_EQ(all,
+            "sphere 1: it has transform 4, but there are 1\n"
+            "plane 1: its normal is 0\n");
+  scene.transforms.push_back({{}, {}, {}, {}});
+  all = to_string(check(scene).front());
+  EXPECT_EQ(all, "error: transform 2: it makes all that it moves flat\n");
 }
 
 TEST(CheckBodies, FindsGroupsThatAreNotThereOrInThemselves) {

@@ -128,6 +128,8 @@ exactly 1 "$folder/inside/out.toml:3:8: error: file of image texture: '../red.pp
 exactly 0 "" "$zraka" info "$folder/inside/out.toml" --allow-outside
 exactly 0 "" "$zraka" format "$folder/inside/out.toml" --allow-outside
 exactly 0 "" "$zraka" convert "$folder/inside/out.toml" - --to toml --allow-outside
+exactly 0 "$folder/moved.toml: warning: names the picture ../red.ppm, which is not beside it
+  names of files start at the scene's folder" "$zraka" format "$folder/inside/out.toml" --allow-outside -o "$folder/moved.toml"
 exactly 0 "" "$zraka" render "$folder/inside/out.toml" --allow-outside --quiet --width 8 -o "$folder/a.png"
 expect 1 "is no format that can be written" "$zraka" convert "$folder/good.toml" "$folder/good.obj"
 cp "$folder/good.toml" "$folder/own.toml"

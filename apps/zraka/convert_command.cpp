@@ -2,10 +2,13 @@
 // zraka convert and zraka format: scenes written in a format, or in their canonical form.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
+#include <set>
 
 #include "commands.hpp"
 #include "core/new_file.hpp"
+#include "core/text.hpp"
 #include "scene_files.hpp"
 #include "terminal.hpp"
 #include "zraka/zraka.hpp"
@@ -19,6 +22,23 @@ struct Arguments {
   ReadOptions files;
 };
 
+/// Pictures that the written scene names where they are not.
+Diagnostics lost_files(const Scene& scene, const std::string& output) {
+  namespace fs = std::filesystem;
+  Diagnostics lost;
+  std::set<std::string> seen;
+  std::error_code error;
+  for (const Texture& texture : scene.textures)
+    if (!texture.file.empty() && seen.insert(texture.file).second &&
+        !fs::exists(fs::path(output).parent_path() / texture.file, error))
+      lost.push_back({.severity = Severity::warning,
+                      .file = output,
+                      .message = fmt::format("names the picture {}, which is not beside it",
+                                             shown(texture.file)),
+                      .hint = "names of files start at the scene's folder"});
+  return lost;
+}
+
 int run(const Arguments& arguments) {
   if (const Result<void> apart = check_outputs({arguments.scene}, {arguments.output}); !apart)
     return fail(apart.error());
@@ -30,7 +50,10 @@ int run(const Arguments& arguments) {
   if (!written) return fail(about(arguments.scene, written.error()));
   if (!arguments.quiet) show(about(arguments.scene, written->losses));
   const Result<void> saved = write_text_file(arguments.output, written->text);
-  return saved ? kDone : fail(saved.error());
+  if (!saved) return fail(saved.error());
+  if (!arguments.quiet && arguments.output != "-")
+    show(lost_files(read->scene, arguments.output));
+  return kDone;
 }
 
 }  // namespace

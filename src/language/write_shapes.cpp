@@ -7,8 +7,12 @@
 namespace zraka::language {
 namespace {
 
-std::optional<Transform> transform_at(std::uint32_t index, const Scene& scene) {
-  return index == 0 ? std::nullopt : std::optional(scene.transforms[index - 1]);
+std::optional<Transform> transform_at(std::uint32_t index, Output& output) {
+  const std::vector<Transform>& transforms = output.scene.transforms;
+  if (index == 0) return std::nullopt;
+  if (index <= transforms.size()) return transforms[index - 1];
+  output.text.problems.push_back(fmt::format("transform {} of {}", index, transforms.size()));
+  return std::nullopt;
 }
 
 std::optional<CornerUvs> uvs_at(std::size_t triangle, const std::vector<CornerUvs>& uvs) {
@@ -36,7 +40,7 @@ void write_all(const ShapeLists& shapes, const std::vector<Object<Shape>>& objec
     if (const auto name = shapes.names.find({list, i}); name != shapes.names.end())
       shape.common.name = name->second;
     (is_body<Shape> ? shape.common.transform : shape.texture_transform) =
-        transform_at(objects[i].transform, output.scene);
+        transform_at(objects[i].transform, output);
     if constexpr (std::is_same_v<Shape, Triangle>) shape.uvs = uvs_at(i, shapes.triangle_uvs);
     if constexpr (std::is_same_v<Shape, SmoothTriangle>)
       shape.uvs = uvs_at(i, shapes.smooth_triangle_uvs);
@@ -71,7 +75,7 @@ std::string text_of(const CsgMember& member, Output& output) {
   ShapeOutput shape{output, ""};
   shape.common.material = material_at(member.material, true, output);
   shape.common.name = member.name;
-  shape.common.transform = transform_at(member.transform, output.scene);
+  shape.common.transform = transform_at(member.transform, output);
   std::visit(
       [&]<class Shape>(const Shape& body) {
         if constexpr (!std::is_same_v<Shape, std::monostate>) write_shape(body, shape);

@@ -68,15 +68,14 @@ void check_objects(const Scene& scene, const Whereabouts& where,
   in_parallel(objects.size(), [&](std::size_t begin, std::size_t end) {
     Extent part;
     for (std::size_t i = begin; i < end; ++i) {
-      const Bounds box = where.bounds(objects[i]);
-      if (!has_bounds<Shape>(box)) {
-        good = good && objects[i].material < scene.materials.size();
-        continue;
-      }
-      const double reach = box.reach(), most = farthest(box);
-      if (problem_with(objects[i].shape) != nullptr || !(most <= kFarthest) ||
-          objects[i].material >= scene.materials.size())
+      if (problem_with(objects[i].shape) != nullptr ||
+          objects[i].material >= scene.materials.size() ||
+          objects[i].transform > scene.transforms.size())
         good = false;
+      const Bounds box = where.bounds(objects[i]);
+      if (!has_bounds<Shape>(box)) continue;
+      const double reach = box.reach(), most = farthest(box);
+      if (!(most <= kFarthest)) good = false;
       part.most = std::max(part.most, most);
       if (reach > 0) part.least = std::min(part.least, reach);
     }
@@ -95,6 +94,9 @@ void check_objects(const Scene& scene, const Whereabouts& where,
     if (objects[i].material >= scene.materials.size())
       complain(fmt::format("{} {}: it has material {}, but there are {}", Traits::kName, i + 1,
                            objects[i].material, scene.materials.size()));
+    if (objects[i].transform > scene.transforms.size())
+      complain(fmt::format("{} {}: it has transform {}, but there are {}", Traits::kName, i + 1,
+                           objects[i].transform, scene.transforms.size()));
   }
 }
 

@@ -49,7 +49,10 @@ class Checker {
   void check_lists(const ShapeLists& shapes, const std::string& of, bool parts) {
 #define ZRAKA_CHECK(Type, plural) \
   for (std::size_t i = 0; i < shapes.plural.size(); ++i) check(shapes.plural[i], i, of, parts);
-    ZRAKA_SHAPES(ZRAKA_CHECK)
+    if (parts) {
+      ZRAKA_PRIMITIVES(ZRAKA_CHECK)
+    }  // those of the scene may be many, and are looked at by many threads
+    ZRAKA_BODIES(ZRAKA_CHECK)
 #undef ZRAKA_CHECK
     check_uvs(shapes.triangle_uvs, shapes.triangles.size(), "triangles", of);
     check_uvs(shapes.smooth_triangle_uvs, shapes.smooth_triangles.size(), "smooth triangles", of);

@@ -17,8 +17,8 @@ inline constexpr int kMostOctaves = 32;
 
 using Complain = std::function<void(std::string message, std::string hint)>;
 /// Tells each problem; false if there is any. Whatever walks over transforms, groups and members
-/// needs a scene that this finds nothing wrong with. What is wrong with the scene's own shapes by
-/// themselves, and with their materials, is not looked at here.
+/// needs a scene that this finds nothing wrong with. The scene's own primitives are not looked at
+/// here, nor the materials of its own bodies.
 bool check_references(const Scene& scene, const Complain& complain);
 
 /// "" where all is well with a transform.
