@@ -294,6 +294,31 @@ TEST(QuadricCases, HaveNoInsideWhereTheyComeThroughAFaceAnywhere) {
       }
     }
 }
+TEST(QuadricCases, HaveAnInsideWhereTheirFacesAreOutside) {
+  Random random(8);
+  int open = 0, closed = 0;
+  for (int i = 0; i < 1000; ++i) {
+    Quadric s = Truth<Quadric>::random(random, {});
+    const Vec3 way = in_cube(random);
+    const auto move = [&](Vec3& p) { p = {p.x + way.x / 5, p.y + way.y / 5, p.z + way.z / 5}; };
+    move(s.min), move(s.max);
+    const Truth<Quadric> truth(s);
+    Real least = HUGE_VALL;
+    for (int face = 0; face < 6; ++face)
+      for (int k = 0; k < 400; ++k) {
+        Real q[3] = {k / 20 / 9.5L - 1, k % 20 / 9.5L - 1, face % 2 == 0 ? 1.0L : -1.0L};
+        std::rotate(q, q + face / 2, q + 3);
+        const Point p{q[0] * truth.half.x, q[1] * truth.half.y, q[2] * truth.half.z};
+        least = std::min(least, truth.residual(truth.middle + p));
+      }
+    const bool inside = ShapeTraits<Quadric>::check_member(s) == nullptr;
+    ASSERT_FALSE(inside && least < -1e-15L) << i;
+    ASSERT_FALSE(!inside && least > 0.01L && truth.residual(truth.middle) < 0) << i;
+    (inside ? closed : open) += 1;
+  }
+  EXPECT_GT(open, 300);
+  EXPECT_GT(closed, 100);
+}
 TEST(QuadricCases, AreCheckedInWords) {
   expect_problem(quadric(1, kNan, 1, -1), "a coefficient is not finite");
   expect_problem(quadric(0, 0, 0, -1), "its coefficients but the last are 0");
