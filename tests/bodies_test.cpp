@@ -98,7 +98,7 @@ TYPED_TEST(Bodies, AreCrossedWhereTheirEquationsSayAndNowhereElse) {
   constexpr std::size_t kLeast = 100000;
 #endif
   // Half of the rays and more cross, and of each crossing one is made that touches.
-  const std::size_t count = kLeast * (ShapeTraits<TypeParam>::kClosed ? 7 : 9) / 10;
+  const std::size_t count = kLeast * (ShapeTraits<TypeParam>::kClosed ? 8 : 9) / 10;
   std::size_t all = 0, crossed = 0;
   this->each_body(ray_count(count),
                   [&](const auto& body, const auto& rays, const auto& found, Random& random) {

@@ -228,5 +228,105 @@ TEST(CapsuleCases, AreCheckedInWords) {
   expect_problem(Capsule{{0, 1, 0}, {0, 1, 0}}, "its ends are one point");
 }
 
+/// x²·a + y²·b + z²·c + k in the cube from -1 to 1.
+Quadric quadric(double a, double b, double c, double k) {
+  return {{a, b, c, 0, 0, 0, 0, 0, 0, k}, {-1, -1, -1}, {1, 1, 1}};
+}
+TEST(QuadricCases, AreCrossedWithinTheirBoxAlone) {
+  expect_near(crossed_at(quadric(1, 1, 1, -1), {0, 0, -3}, {0, 0, 1}), {2, 4});
+  expect_near(crossed_at(quadric(1, 1, 1, -2), {0, 0, -3}, {0, 0, 1}), {});
+  expect_near(crossed_at(quadric(1, 1, 1, -2), {-3, 0, 0.75}, {1, 0, 0}), {});
+  expect_near(crossed_at(quadric(1, 1, 0, -0.25), {-3, 0, 0.75}, {1, 0, 0}), {2.5, 3.5});
+  expect_near(crossed_at(quadric(1, 1, 0, -0.25), {-3, 0, 1.25}, {1, 0, 0}), {});
+  expect_near(crossed_at(quadric(1, 1, 0, -0.25), {0, 0, -3}, {0, 0, 1}), {});
+  // A cone, along its side and through its apex, and one sheet of two.
+  expect_near(crossed_at(quadric(1, 0, -1, 0), {0.5, 0, 0}, {std::sqrt(0.5), 0, std::sqrt(0.5)}),
+              {-std::sqrt(0.125)});
+  expect_near(crossed_at(quadric(1, 1, -1, 0), {-3, 0, 0}, {1, 0, 0}), {3, 3});
+  expect_near(crossed_at(quadric(-1, -1, 1, -0.25), {0, 0, -3}, {0, 0, 1}), {2.5, 3.5});
+  const Quadric bowl{{1, 1, 0, 0, 0, 0, 0, 0, -1, 0}, {-1, -1, -0.5}, {1, 1, 0.5}};
+  expect_near(crossed_at(bowl, {0.5, 0, -3}, {0, 0, 1}), {3.25});
+  expect_near(crossed_at(bowl, {0.75, 0, -3}, {0, 0, 1}), {});
+}
+TEST(QuadricCases, FarFromTheOriginAreWhatTheyAre) {
+  // (x - 10^6)² + y² + z² = 1/4
+  const Quadric far{
+      {1, 1, 1, 0, 0, 0, -2e6, 0, 0, 1e12 - 0.25}, {1e6 - 1, -1, -1}, {1e6 + 1, 1, 1}};
+  expect_near(crossed_at(far, {1e6, 0, -3}, {0, 0, 1}), {2.5, 3.5});
+  EXPECT_NEAR(ShapeTraits<Quadric>::distance_to(far, {1e6, 0, 0}), 0.5, 1e-9);
+  expect_all_crossings(quadric(1, 1e-6, 1, -0.25));
+  expect_all_crossings(quadric(1e6, 1, 1, -0.5));
+}
+TEST(QuadricCases, HaveAnInsideWhereTheBoxHoldsTheirSurface) {
+  const auto member = [](const Quadric& s) { return ShapeTraits<Quadric>::check_member(s); };
+  constexpr const char* kCut = "its box cuts its surface off, so it has no inside";
+  EXPECT_STREQ(member(Quadric{}), nullptr);
+  EXPECT_STREQ(member(quadric(1, 1, 1, -1)), nullptr);
+  EXPECT_STREQ(member(quadric(1, 2, 3, -0.9)), nullptr);
+  EXPECT_STREQ(member(quadric(1, 1, 1, -1.000001)), kCut);
+  EXPECT_STREQ(member(quadric(1, 1, 0, -0.25)), kCut);
+  EXPECT_STREQ(member(quadric(1, 1, -1, -0.25)), kCut);
+  EXPECT_STREQ(member(quadric(-1, -1, -1, 0.25)), kCut);
+  // An ellipsoid outside of the box, and one that is longest across it.
+  EXPECT_STREQ(member({{1, 1, 1, 0, 0, 0, -6, 0, 0, 8}, {-1, -1, -1}, {1, 1, 1}}), kCut);
+  EXPECT_STREQ(member({{1, 1, 1, 1.9, 0, 0, 0, 0, 0, -0.05}, {-1, -1, -1}, {1, 1, 1}}), nullptr);
+  EXPECT_STREQ(member({{1, 1, 1, 1.99, 0, 0, 0, 0, 0, -0.05}, {-1, -1, -1}, {1, 1, 1}}), kCut);
+}
+/// Σ weight·(x - middle)² = square, in the cube from -1 to 1.
+Quadric ellipsoid_at(const double (&middle)[3], const double (&weights)[3], double square) {
+  Quadric s = quadric(weights[0], weights[1], weights[2], -square);
+  for (std::size_t k = 0; k < 3; ++k) {
+    s.coefficients[6 + k] = -2 * weights[k] * middle[k];
+    s.coefficients[9] += weights[k] * middle[k] * middle[k];
+  }
+  return s;
+}
+TEST(QuadricCases, HaveNoInsideWhereTheyComeThroughAFaceAnywhere) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      double middle[3] = {0.2, 0.2, 0.2}, weights[3] = {1, 1, 1};
+      middle[axis] = 0.3 * side;
+      weights[(axis + 1) % 3] = 4;
+      for (const double square : {0.489, 0.491}) {
+        const bool through = square > 0.49;
+        const Quadric s = ellipsoid_at(middle, weights, square);
+        EXPECT_EQ(ShapeTraits<Quadric>::check_member(s) != nullptr, through) << axis << side;
+      }
+    }
+}
+TEST(QuadricCases, HaveAnInsideWhereTheirFacesAreOutside) {
+  Random random(8);
+  int open = 0, closed = 0;
+  for (int i = 0; i < 1000; ++i) {
+    Quadric s = Truth<Quadric>::random(random, {});
+    const Vec3 way = in_cube(random);
+    const auto move = [&](Vec3& p) { p = {p.x + way.x / 5, p.y + way.y / 5, p.z + way.z / 5}; };
+    move(s.min), move(s.max);
+    const Truth<Quadric> truth(s);
+    Real least = HUGE_VALL;
+    for (int face = 0; face < 6; ++face)
+      for (int k = 0; k < 400; ++k) {
+        Real q[3] = {k / 20 / 9.5L - 1, k % 20 / 9.5L - 1, face % 2 == 0 ? 1.0L : -1.0L};
+        std::rotate(q, q + face / 2, q + 3);
+        const Point p{q[0] * truth.half.x, q[1] * truth.half.y, q[2] * truth.half.z};
+        least = std::min(least, truth.residual(truth.middle + p));
+      }
+    const bool inside = ShapeTraits<Quadric>::check_member(s) == nullptr;
+    ASSERT_FALSE(inside && least < -1e-15L) << i;
+    ASSERT_FALSE(!inside && least > 0.01L && truth.residual(truth.middle) < 0) << i;
+    (inside ? closed : open) += 1;
+  }
+  EXPECT_GT(open, 300);
+  EXPECT_GT(closed, 100);
+}
+TEST(QuadricCases, AreCheckedInWords) {
+  expect_problem(quadric(1, kNan, 1, -1), "a coefficient is not finite");
+  expect_problem(quadric(0, 0, 0, -1), "its coefficients but the last are 0");
+  expect_problem(Quadric{quadric(1, 1, 1, -1).coefficients, {0, 0, 0}, {1, kNan, 1}},
+                 "a corner of its box is not finite");
+  expect_problem(Quadric{quadric(1, 1, 1, -1).coefficients, {0, 0, 0}, {1, 0, 1}},
+                 "its max is not above its min along every axis");
+}
+
 }  // namespace
 }  // namespace zraka::truth

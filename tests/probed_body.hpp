@@ -126,6 +126,8 @@ bool is_closed(const Shape& shape) {
 }
 template <class Shape>
 inline constexpr bool has_uv = true;
+template <>
+inline constexpr bool has_uv<Quadric> = false;
 
 /// A body in a place.
 template <class Shape>
@@ -204,7 +206,7 @@ std::vector<BodyProbeRay> touching_rays(const Placed<Shape>& body,
   for (std::size_t i = 0; i < rays.size(); ++i)
     for (const double t : found[i].at) {
       if (!(std::fabs(t) < 1e30)) continue;
-      const Point p = exact(rays[i]).at(t), up = unit(body.truth.gradient(p));
+      const Point p = exact(rays[i]).at(t), up = normal(body.truth, p);
       Point way = exact(on_unit_sphere(random));
       way = way - up * dot(way, up);
       if (!(length(way) > 0.01L)) continue;  // or no number, at an apex

@@ -130,6 +130,7 @@ struct Instance {
   X(Disc, discs)                   \
   X(Parallelogram, parallelograms) \
   X(Capsule, capsules)             \
+  X(Quadric, quadrics)             \
   X(Csg, csgs)                     \
   X(Instance, instances)
 

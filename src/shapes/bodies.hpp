@@ -13,6 +13,7 @@
 #include "shapes/bodies/instance.hpp"
 #include "shapes/bodies/parallelogram.hpp"
 #include "shapes/bodies/plane.hpp"
+#include "shapes/bodies/quadric.hpp"
 #include "shapes/bodies/torus.hpp"
 
 namespace zraka {

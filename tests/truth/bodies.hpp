@@ -9,4 +9,5 @@
 #include "truth/frustum.hpp"
 #include "truth/parallelogram.hpp"
 #include "truth/plane.hpp"
+#include "truth/quadric.hpp"
 #include "truth/torus.hpp"
