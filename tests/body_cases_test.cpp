@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bodies where formulas go wrong: crossings that are known, shapes that are almost none, and what
 // is no shape.
+#include <numbers>
+#include <utility>
+
 #include "expect_crossings.hpp"
 
 namespace zraka::truth {
@@ -35,6 +38,12 @@ template <class Shape>
 void expect_problem(const Shape& shape, const char* want) {
   EXPECT_STREQ(ShapeTraits<Shape>::check(shape), want);
 }
+/// At a point of a body's own space.
+template <class Shape>
+std::pair<double, double> uv_at(const Shape& shape, const V3<double>& p) {
+  const BodySurface s = ShapeTraits<Shape>::surface(ShapeTraits<Shape>::place(shape).numbers, p);
+  return {s.u, s.v};
+}
 constexpr double kNan = __builtin_nan("");
 
 TEST(BoxCases, AreCrossedAlongFacesAndEdges) {
@@ -63,17 +72,33 @@ TEST(BoxCases, WithRoundEdgesFromAHairToABall) {
   expect_all_crossings(Box{{-1, -1e-6, -0.75}, {1, 1e-6, 0.75}});
 }
 TEST(BoxCases, HavePicturesUprightOnEveryFace) {
-  const auto uv = [](const V3<double>& p) {
-    const double numbers[] = {0, 1, 1, 1};
-    const BodySurface s = ShapeTraits<Box>::surface(numbers, p);
-    return std::pair(s.u, s.v);
-  };
+  const auto uv = [](const V3<double>& p) { return uv_at(Box{{-1, -1, -1}, {1, 1, 1}}, p); };
   EXPECT_EQ(uv({0.5, -0.5, 1}), std::pair(0.75, 0.25));
   EXPECT_EQ(uv({0.5, -0.5, -1}), std::pair(0.25, 0.25));
   EXPECT_EQ(uv({1, -0.5, 0.5}), std::pair(0.25, 0.25));
   EXPECT_EQ(uv({-1, -0.5, 0.5}), std::pair(0.75, 0.25));
   EXPECT_EQ(uv({0.5, 1, 0.5}), std::pair(0.75, 0.25));
   EXPECT_EQ(uv({0.5, -1, 0.5}), std::pair(0.75, 0.75));
+}
+TEST(BodyCases, HaveUAroundAndVFromBelow) {
+  const Frustum frustum{{0, -1, 0}, 1, {0, 1, 0}, 0.5};
+  EXPECT_EQ(uv_at(frustum, {0, -1, 1}), std::pair(0.5, 0.0));
+  EXPECT_EQ(uv_at(frustum, {0.75, 0, 0}), std::pair(0.75, 0.5));
+  EXPECT_EQ(uv_at(frustum, {-0.5, 1, 0}), std::pair(0.25, 1.0));
+  const Capsule capsule{{0, -1, 0}, {0, 1, 0}, 1};
+  EXPECT_EQ(uv_at(capsule, {0, -1, 0}), std::pair(0.5, 0.0));
+  EXPECT_EQ(uv_at(capsule, {0.5, 0, 0}), std::pair(0.75, 0.5));
+  EXPECT_EQ(uv_at(capsule, {0, 1, 0}), std::pair(0.5, 1.0));
+  EXPECT_NEAR(uv_at(capsule, {0, 0.5, 0.5}).second, 0.5 + 1 / (2 + std::numbers::pi), 1e-15);
+  const Torus torus{{0, 0, 0}, {0, 1, 0}, 1, 0.25};
+  EXPECT_EQ(uv_at(torus, {0, 0, 1.25}), std::pair(0.5, 0.5));
+  EXPECT_EQ(uv_at(torus, {1, 0.25, 0}), std::pair(0.75, 0.75));
+  EXPECT_EQ(uv_at(torus, {-1, -0.25, 0}), std::pair(0.25, 0.25));
+  const Disc disc{{0, 0, 0}, {0, 1, 0}, 1, 0.5};
+  EXPECT_EQ(uv_at(disc, {0, 0, 1}), std::pair(0.5, 1.0));
+  EXPECT_EQ(uv_at(disc, {0.75, 0, 0}), std::pair(0.75, 0.5));
+  const Parallelogram parallelogram{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
+  EXPECT_EQ(uv_at(parallelogram, {-1, -0.5, 0}), std::pair(0.0, 0.25));
 }
 TEST(BoxCases, AreCheckedInWords) {
   expect_problem(Box{{0, 0, 0}, {1, 1, kNan}}, "a corner is not finite");
@@ -144,6 +169,138 @@ TEST(TorusCases, AreCheckedInWords) {
   expect_problem(Torus{{0, 0, 0}, {0, 0, 0}}, "its normal is 0");
   expect_problem(Torus{{0, 0, 0}, {0, 1, 0}, 0, 1}, "its radii are not finite numbers above 0");
   expect_problem(Torus{{0, 0, 0}, {0, 1, 0}, 1, 1.25}, "its tube_radius is more than its radius");
+}
+
+TEST(DiscCases, AreCrossedBetweenTheirCircles) {
+  const Disc ring{{0, 1, 0}, {0, 3, 0}, 1, 0.5};
+  expect_near(crossed_at(ring, {0.75, 5, 0}, {0, -1, 0}), {4});
+  expect_near(crossed_at(ring, {0, 0, 0.5}, {0, 1, 0}), {1});
+  expect_near(crossed_at(ring, {0, 0, -1}, {0, 1, 0}), {1});
+  expect_near(crossed_at(ring, {0, 0, 0.49999}, {0, 1, 0}), {});
+  expect_near(crossed_at(ring, {0, 0, 1.00001}, {0, 1, 0}), {});
+  expect_near(crossed_at(ring, {-5, 1, 0}, {1, 0, 0}), {});
+  expect_near(crossed_at(Disc{{0, 1, 0}, {0, 3, 0}, 1, 0}, {0, 0, 0}, {0, 1, 0}), {1});
+  expect_all_crossings(Disc{{0, 0, 0}, {1, 1e-9, 1}, 1, 1 - 1e-6});
+}
+TEST(DiscCases, AreCheckedInWords) {
+  expect_problem(Disc{{kNan, 0, 0}}, "its centre is not finite");
+  expect_problem(Disc{{0, 0, 0}, {0, kNan, 0}}, "its normal is not finite");
+  expect_problem(Disc{{0, 0, 0}, {0, 0, 0}}, "its normal is 0");
+  expect_problem(Disc{{0, 0, 0}, {0, 1, 0}, 0}, "its radius is not a finite number above 0");
+  expect_problem(Disc{{0, 0, 0}, {0, 1, 0}, 1, 1},
+                 "its inner_radius is not 0 or more and less than its radius");
+}
+
+TEST(ParallelogramCases, AreCrossedBetweenTheirEdges) {
+  const Parallelogram s{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}};
+  expect_near(crossed_at(s, {1, 0.5, 3}, {0, 0, -1}), {3});
+  expect_near(crossed_at(s, {0, 0, -1}, {0, 0, 1}), {1});
+  expect_near(crossed_at(s, {0.49, 0.5, -1}, {0, 0, 1}), {});
+  expect_near(crossed_at(s, {2.49, 0.5, -1}, {0, 0, 1}), {1});
+  expect_near(crossed_at(s, {-5, 0.5, 0}, {1, 0, 0}), {});
+  expect_all_crossings(Parallelogram{{0, 0, 0}, {1, 0, 0}, {0, 1e-7, 0}});
+  expect_all_crossings(Parallelogram{{0, 0, 0}, {1, 0, 0}, {1, 1e-5, 0}});
+}
+TEST(ParallelogramCases, AreCheckedInWords) {
+  expect_problem(Parallelogram{{kNan, 0, 0}}, "its corner is not finite");
+  expect_problem(Parallelogram{{0, 0, 0}, {kNan, 0, 0}}, "an edge is not finite");
+  expect_problem(Parallelogram{{0, 0, 0}, {0, 0, 0}}, "an edge is 0");
+  expect_problem(Parallelogram{{0, 0, 0}, {1, 2, 3}, {-0.1, -0.2, -0.3}}, "its edges are parallel");
+}
+
+TEST(CapsuleCases, AreCrossedAtSideAndEnds) {
+  const Capsule s{{0, -1, 0}, {0, 1, 0}, 0.5};
+  expect_near(crossed_at(s, {0, -5, 0}, {0, 1, 0}), {3.5, 6.5});
+  expect_near(crossed_at(s, {-5, 0, 0}, {1, 0, 0}), {4.5, 5.5});
+  expect_near(crossed_at(s, {-5, 1, 0}, {1, 0, 0}), {4.5, 5.5});
+  expect_near(crossed_at(s, {0.3, 5, 0}, {0, -1, 0}), {3.6, 6.4});
+  expect_near(crossed_at(s, {-5, 1.3, 0}, {1, 0, 0}), {4.6, 5.4});
+  expect_near(crossed_at(s, {-5, 1.50001, 0}, {1, 0, 0}), {});
+}
+TEST(CapsuleCases, FromHairsToBalls) {
+  expect_all_crossings(Capsule{{-1, 0, 0}, {1, 0, 0}, 1e-6});
+  expect_all_crossings(Capsule{{0, 0, 0}, {0, 0, 1e-9}, 1});
+  expect_all_crossings(Capsule{{0, 0, 0}, {0, 1e-3, 0}, 1e-3});
+}
+TEST(CapsuleCases, AreCheckedInWords) {
+  expect_problem(Capsule{{0, 0, kNan}}, "an end is not finite");
+  expect_problem(Capsule{{0, 0, 0}, {0, 1, 0}, 0}, "its radius is not a finite number above 0");
+  expect_problem(Capsule{{0, 1, 0}, {0, 1, 0}}, "its ends are one point");
+}
+
+/// x²·a + y²·b + z²·c + k in the cube from -1 to 1.
+Quadric quadric(double a, double b, double c, double k) {
+  return {{a, b, c, 0, 0, 0, 0, 0, 0, k}, {-1, -1, -1}, {1, 1, 1}};
+}
+TEST(QuadricCases, AreCrossedWithinTheirBoxAlone) {
+  expect_near(crossed_at(quadric(1, 1, 1, -1), {0, 0, -3}, {0, 0, 1}), {2, 4});
+  expect_near(crossed_at(quadric(1, 1, 1, -2), {0, 0, -3}, {0, 0, 1}), {});
+  expect_near(crossed_at(quadric(1, 1, 1, -2), {-3, 0, 0.75}, {1, 0, 0}), {});
+  expect_near(crossed_at(quadric(1, 1, 0, -0.25), {-3, 0, 0.75}, {1, 0, 0}), {2.5, 3.5});
+  expect_near(crossed_at(quadric(1, 1, 0, -0.25), {-3, 0, 1.25}, {1, 0, 0}), {});
+  expect_near(crossed_at(quadric(1, 1, 0, -0.25), {0, 0, -3}, {0, 0, 1}), {});
+  // A cone, along its side and through its apex, and one sheet of two.
+  expect_near(crossed_at(quadric(1, 0, -1, 0), {0.5, 0, 0}, {std::sqrt(0.5), 0, std::sqrt(0.5)}),
+              {-std::sqrt(0.125)});
+  expect_near(crossed_at(quadric(1, 1, -1, 0), {-3, 0, 0}, {1, 0, 0}), {3, 3});
+  expect_near(crossed_at(quadric(-1, -1, 1, -0.25), {0, 0, -3}, {0, 0, 1}), {2.5, 3.5});
+  const Quadric bowl{{1, 1, 0, 0, 0, 0, 0, 0, -1, 0}, {-1, -1, -0.5}, {1, 1, 0.5}};
+  expect_near(crossed_at(bowl, {0.5, 0, -3}, {0, 0, 1}), {3.25});
+  expect_near(crossed_at(bowl, {0.75, 0, -3}, {0, 0, 1}), {});
+}
+TEST(QuadricCases, FarFromTheOriginAreWhatTheyAre) {
+  // (x - 10^6)² + y² + z² = 1/4
+  const Quadric far{
+      {1, 1, 1, 0, 0, 0, -2e6, 0, 0, 1e12 - 0.25}, {1e6 - 1, -1, -1}, {1e6 + 1, 1, 1}};
+  expect_near(crossed_at(far, {1e6, 0, -3}, {0, 0, 1}), {2.5, 3.5});
+  EXPECT_NEAR(ShapeTraits<Quadric>::distance_to(far, {1e6, 0, 0}), 0.5, 1e-9);
+  expect_all_crossings(quadric(1, 1e-6, 1, -0.25));
+  expect_all_crossings(quadric(1e6, 1, 1, -0.5));
+}
+TEST(QuadricCases, HaveAnInsideWhereTheBoxHoldsTheirSurface) {
+  const auto member = [](const Quadric& s) { return ShapeTraits<Quadric>::check_member(s); };
+  constexpr const char* kCut = "its box cuts its surface off, so it has no inside";
+  EXPECT_STREQ(member(Quadric{}), nullptr);
+  EXPECT_STREQ(member(quadric(1, 1, 1, -1)), nullptr);
+  EXPECT_STREQ(member(quadric(1, 2, 3, -0.9)), nullptr);
+  EXPECT_STREQ(member(quadric(1, 1, 1, -1.000001)), kCut);
+  EXPECT_STREQ(member(quadric(1, 1, 0, -0.25)), kCut);
+  EXPECT_STREQ(member(quadric(1, 1, -1, -0.25)), kCut);
+  EXPECT_STREQ(member(quadric(-1, -1, -1, 0.25)), kCut);
+  // An ellipsoid outside of the box, and one that is longest across it.
+  EXPECT_STREQ(member({{1, 1, 1, 0, 0, 0, -6, 0, 0, 8}, {-1, -1, -1}, {1, 1, 1}}), kCut);
+  EXPECT_STREQ(member({{1, 1, 1, 1.9, 0, 0, 0, 0, 0, -0.05}, {-1, -1, -1}, {1, 1, 1}}), nullptr);
+  EXPECT_STREQ(member({{1, 1, 1, 1.99, 0, 0, 0, 0, 0, -0.05}, {-1, -1, -1}, {1, 1, 1}}), kCut);
+}
+/// Σ weight·(x - middle)² = square, in the cube from -1 to 1.
+Quadric ellipsoid_at(const double (&middle)[3], const double (&weights)[3], double square) {
+  Quadric s = quadric(weights[0], weights[1], weights[2], -square);
+  for (std::size_t k = 0; k < 3; ++k) {
+    s.coefficients[6 + k] = -2 * weights[k] * middle[k];
+    s.coefficients[9] += weights[k] * middle[k] * middle[k];
+  }
+  return s;
+}
+TEST(QuadricCases, HaveNoInsideWhereTheyComeThroughAFaceAnywhere) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      double middle[3] = {0.2, 0.2, 0.2}, weights[3] = {1, 1, 1};
+      middle[axis] = 0.3 * side;
+      weights[(axis + 1) % 3] = 4;
+      for (const double square : {0.489, 0.491}) {
+        const bool through = square > 0.49;
+        const Quadric s = ellipsoid_at(middle, weights, square);
+        EXPECT_EQ(ShapeTraits<Quadric>::check_member(s) != nullptr, through) << axis << side;
+      }
+    }
+}
+TEST(QuadricCases, AreCheckedInWords) {
+  expect_problem(quadric(1, kNan, 1, -1), "a coefficient is not finite");
+  expect_problem(quadric(0, 0, 0, -1), "its coefficients but the last are 0");
+  expect_problem(Quadric{quadric(1, 1, 1, -1).coefficients, {0, 0, 0}, {1, kNan, 1}},
+                 "a corner of its box is not finite");
+  expect_problem(Quadric{quadric(1, 1, 1, -1).coefficients, {0, 0, 0}, {1, 0, 1}},
+                 "its max is not above its min along every axis");
 }
 
 }  // namespace

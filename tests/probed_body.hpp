@@ -126,6 +126,8 @@ bool is_closed(const Shape& shape) {
 }
 template <class Shape>
 inline constexpr bool has_uv = true;
+template <>
+inline constexpr bool has_uv<Quadric> = false;
 
 /// A body in a place.
 template <class Shape>
@@ -157,6 +159,11 @@ struct Placed {
   }
 };
 
+/// From 1 to 10^-15.
+inline Real tiny(Random& random) {
+  return std::pow(10.0L, -static_cast<Real>(random() % 16));
+}
+
 /// Rays of all kinds at a body.
 template <class Shape>
 std::vector<BodyProbeRay> rays_at(const Placed<Shape>& body, std::size_t count, Random& random) {
@@ -170,8 +177,11 @@ std::vector<BodyProbeRay> rays_at(const Placed<Shape>& body, std::size_t count, 
     return Point{x, y, special()};
   };
   while (rays.size() < count) {
-    const Point to = near(1.5), from = near(rays.size() % 8 == 0 ? 1000 : 3);
+    const Point to = body.row.world(exact(in_cube(random)) * 1.25L),
+                from = near(rays.size() % 8 == 0 ? 1000 : 3);
     Point way = to - from;
+    if (rays.size() % 8 == 3)  // past rims and edges
+      way = body.row.world(special_point() + exact(in_cube(random)) * tiny(random)) - from;
     if (rays.size() % 8 == 1) {  // along the body's own axes
       const Real sign = random() % 2 == 0 ? 1 : -1;
       const Point axes[] = {{sign, 0, 0}, {0, sign, 0}, {0, 0, sign}};
@@ -196,12 +206,11 @@ std::vector<BodyProbeRay> touching_rays(const Placed<Shape>& body,
   for (std::size_t i = 0; i < rays.size(); ++i)
     for (const double t : found[i].at) {
       if (!(std::fabs(t) < 1e30)) continue;
-      const Point p = exact(rays[i]).at(t), up = unit(body.truth.gradient(p));
+      const Point p = exact(rays[i]).at(t), up = normal(body.truth, p);
       Point way = exact(on_unit_sphere(random));
       way = way - up * dot(way, up);
       if (!(length(way) > 0.01L)) continue;  // or no number, at an apex
-      const Real away = std::pow(10.0L, -static_cast<Real>(random() % 16)) *
-                        (random() % 2 == 0 ? 1 : -1) * body.place.scale;
+      const Real away = tiny(random) * (random() % 2 == 0 ? 1 : -1) * body.place.scale;
       const Point from = p + up * away - unit(way) * (body.place.scale * between(-1, 3, random));
       touching.push_back(probe_ray(from, way));
     }

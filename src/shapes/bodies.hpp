@@ -5,11 +5,15 @@
 #include <type_traits>
 
 #include "shapes/bodies/box.hpp"
+#include "shapes/bodies/capsule.hpp"
 #include "shapes/bodies/csg.hpp"
+#include "shapes/bodies/disc.hpp"
 #include "shapes/bodies/ellipsoid.hpp"
 #include "shapes/bodies/frustum.hpp"
 #include "shapes/bodies/instance.hpp"
+#include "shapes/bodies/parallelogram.hpp"
 #include "shapes/bodies/plane.hpp"
+#include "shapes/bodies/quadric.hpp"
 #include "shapes/bodies/torus.hpp"
 
 namespace zraka {

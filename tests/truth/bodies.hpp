@@ -3,7 +3,11 @@
 #pragma once
 
 #include "truth/box.hpp"
+#include "truth/capsule.hpp"
+#include "truth/disc.hpp"
 #include "truth/ellipsoid.hpp"
 #include "truth/frustum.hpp"
+#include "truth/parallelogram.hpp"
 #include "truth/plane.hpp"
+#include "truth/quadric.hpp"
 #include "truth/torus.hpp"

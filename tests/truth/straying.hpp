@@ -27,7 +27,7 @@ class Straying {
       : truth_(truth), ray_(ray), side_(side), error_(error) {}
 
   bool between(Real from, Real to) {
-    least_width_ = (to - from) / 256;
+    least_width_ = (to - from) / 128;
     return visit(from, value(from), to, value(to));
   }
 
@@ -63,7 +63,7 @@ class Throughs {
   Throughs(const T& truth, const Ray& ray, Real error) : truth_(truth), ray_(ray), error_(error) {}
 
   std::vector<Real> between(Real from, Real to) {
-    least_width_ = (to - from) / 256;
+    least_width_ = (to - from) / 64;
     last_ = 0;
     note(from);
     visit(from, to);
