@@ -100,6 +100,23 @@ TEST(LanguageTransforms, MakeEllipsoidsOfSpheresThatAreNotRoundAnyMore) {
   EXPECT_EQ(s.spheres.size(), 1u);
 }
 
+TEST(LanguageTransforms, MakeBodiesOfConesThatAreNotRoundAnyMore) {
+  const std::string cone =
+      "[[shape]]\nkind = \"cone\"\nbase = [0, 0, 0]\ntop = [0, 1, 0]\nbase_radius = 1\n";
+  const Scene s = scene_of(cone + cone + "caps = false\n" + cone +
+                           "caps = false\ntransform = [{scale = [1, 2, 1]}]\n");
+  ASSERT_EQ(s.frustums.size(), 2u);
+  EXPECT_EQ(s.frustums[0].shape, (Frustum{{}, 1, {0, 1, 0}, 0, true}));
+  EXPECT_EQ(s.frustums[1].shape, (Frustum{{}, 1, {0, 1, 0}, 0, false}));
+  EXPECT_EQ(s.frustums[1].transform, 1u);
+  EXPECT_EQ(s.cones.size(), 1u);
+  EXPECT_EQ(answer_to("[[shape]]\nkind = \"union\"\nof = [{kind = \"cylinder\", base = [0, 0, 0], "
+                      "top = [0, 1, 0], radius = 1, caps = false}]\n"),
+            "s.toml:3:81: error: without caps it is no closed body: CSG is of closed bodies\n"
+            "  …der\", base = [0, 0, 0], top = [0, 1, 0], radius = 1, caps = false}]\n"
+            "                                                               ^\n");
+}
+
 TEST(LanguageTransforms, AreSharedWhereTheyAreEqual) {
   const std::string plane = "[[shape]]\nkind = \"plane\"\npoint = [0, 0, 0]\nnormal = [0, 1, 0]\n";
   const Scene s = scene_of(plane + "transform = [{scale = 2}]\n" + plane +

@@ -23,7 +23,8 @@ std::string answer(const std::string& text) {
   static const std::string folder = [] {
     const std::string made = testing::TempDir() + "zraka_language_tables";
     std::filesystem::create_directories(made);
-    std::ofstream(made + "/a.ppm") << "P3 1 1 255 0 0 0\n";
+    std::ofstream(made + "/a.ppm") << "P3 2 2 255 0 0 0 0 0 0 0 0 0 0 0 0\n";
+    std::ofstream(made + "/a.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     return made;
   }();
   const Result<ReadScene> read =
@@ -54,6 +55,7 @@ std::string good_value(const Field& field, int number) {
     case FieldKind::text:
       return about.unit == Unit::name_of_material ? "\"default\""
              : about.unit == Unit::picture        ? "\"a.ppm\""
+             : about.unit == Unit::mesh           ? "\"a.obj\""
                                                   : "\"any\"";
     case FieldKind::choice:
       return in_quotes(about.choices[0].name);

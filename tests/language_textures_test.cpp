@@ -161,18 +161,46 @@ TEST_F(LanguageFiles, AreReadOnceEach) {
   EXPECT_EQ(s.textures[0].image, s.textures[1].image);
 }
 
+TEST_F(LanguageFiles, HoldNormalsAsTheyAreAndColoursByTheSrgbCurve) {
+  const float half = 51.0f / 255;
+  const auto red = [](const Texture& texture) { return texture.image->pixels[3]; };
+  const Scene map =
+      scene_of(image("a.ppm") + "[material.a]\nnormal_map = {texture = \"t\"}\n", options());
+  EXPECT_EQ(red(map.textures.at(0)), half);
+  EXPECT_EQ(map.textures[0].transfer, Transfer::linear);
+  const Scene both = scene_of(image("a.ppm") +
+                                  "[material.a]\nnormal_map = {texture = \"t\"}\n"
+                                  "[material.b]\ndiffuse = \"t\"\n"
+                                  "normal_map = {texture = \"t\"}\n",
+                              options());
+  ASSERT_EQ(both.textures.size(), 2u);
+  EXPECT_LT(red(both.textures[0]), half / 2);
+  EXPECT_EQ(red(both.textures[1]), half);
+  EXPECT_EQ(both.materials[0].normals.texture, 1u);
+  EXPECT_EQ(both.materials[1].normals.texture, 1u);
+  const Scene said = scene_of(image("a.ppm") +
+                                  "transfer = \"srgb\"\n[material.a]\n"
+                                  "normal_map = {texture = \"t\"}\n",
+                              options());
+  EXPECT_LT(red(said.textures.at(0)), half / 2) << "what is said wins";
+  expect_rewritten(image("a.ppm") +
+                       "[material.a]\nnormal_map = {texture = \"t\"}\n"
+                       "diffuse = \"t\"\n",
+                   options());
+}
+
 TEST_F(LanguageFiles, DoNotLeaveTheFolderUnlessThatIsAllowed) {
   for (const std::string& file :
        {std::string("../outside.ppm"), std::string("link.ppm"),
         std::string("sub/../../outside.ppm"), (folder_ / "outside.ppm").string()}) {
-    EXPECT_TRUE(first(file).ends_with("leads out of the scene file's folder")) << first(file);
+    EXPECT_TRUE(first(file).ends_with("lies outside of the scene's folder")) << first(file);
     EXPECT_EQ(first(file, true), "");
   }
   EXPECT_EQ(answer_to(image("../outside.ppm"), options()),
-            "s.toml:3:8: error: file of image texture: ../outside.ppm leads out of the scene "
-            "file's folder\n"
+            "s.toml:3:8: error: file of image texture: '../outside.ppm' lies outside of the "
+            "scene's folder\n"
             "  file = \"../outside.ppm\"\n         ^\n"
-            "  --allow-outside allows that\n");
+            "  put it beside the scene, or allow it with --allow-outside\n");
 }
 
 TEST_F(LanguageFiles, SayWhatIsWrongAtTheirPlace) {
@@ -181,14 +209,14 @@ TEST_F(LanguageFiles, SayWhatIsWrongAtTheirPlace) {
             "directory\n"
             "  file = \"none.png\"\n         ^\n"
             "  is the name right, and the folder?\n");
-  EXPECT_EQ(first(""), "s.toml:3:8: error: file of image texture:  no file is called so");
+  EXPECT_EQ(first(""), "s.toml:3:8: error: file of image texture: '' is no name of a file");
   std::ofstream(folder_ / "scene/huge.ppm") << "P6 65536 32768 255\n";
   EXPECT_TRUE(first("huge.ppm").starts_with("s.toml:3:8: error: file of image texture: huge.ppm: "))
       << first("huge.ppm");
   EXPECT_NE(first("sub"), "");
   EXPECT_EQ(first_answer(image("a.ppm")),
-            "s.toml:3:8: error: file of image texture: a.ppm is a file, but this scene comes from "
-            "none, and reads none");
+            "s.toml:3:8: error: file of image texture: this scene comes from no file, and reads "
+            "none");
 }
 
 TEST(LanguageHints, KnowWhatIsMeantAtTheTopOfAFile) {

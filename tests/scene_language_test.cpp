@@ -205,13 +205,6 @@ TEST(SceneLanguage, SaysWhatIsNotBuiltYet) {
             "s.toml:2:14: error: a colour for reflection of material a is not built yet");
   EXPECT_EQ(first("[material.a]\nabsorption = [0, 0, 1]\n"),
             "s.toml:2:14: error: absorption of material a other than 0 is not built yet");
-  EXPECT_EQ(first("[[shape]]\nkind = \"torus\"\n"),
-            "s.toml:2:8: error: shape of kind \"torus\" is not built yet");
-  EXPECT_EQ(
-      answer("[[shape]]\nkind = \"cylinder\"\nbase = [0, 0, 0]\ntop = [0, 1, 0]\nradius = 1\n"),
-      "s.toml:1:1: error: caps are not built yet\n"
-      "  [[shape]]\n  ^\n"
-      "  caps = false draws the side alone\n");
 }
 
 TEST(SceneLanguage, SaysWhatIsWrongWithValuesThatDoNotGoTogether) {

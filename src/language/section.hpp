@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 #include <zraka/formats.hpp>
 #include <zraka/scene.hpp>
@@ -44,6 +45,8 @@ struct Input {
   /// Textures of pictures that do not say how light became numbers, and the nodes of their files.
   std::map<std::uint32_t, const toml::Node*> open_transfers{};
   std::vector<GroupUse> group_uses{};
+  /// Groups by the path of their mesh, and whether that is smooth: 1 no, 2 yes, 0 as the file has it.
+  std::map<std::pair<std::string, int>, std::uint32_t> meshes{};
 };
 
 /// A scene while it is written.

@@ -17,10 +17,16 @@
   X(ellipsoid)               \
   X(box)                     \
   X(plane)                   \
+  X(parallelogram)           \
+  X(disc)                    \
   X(cylinder)                \
   X(cone)                    \
+  X(capsule)                 \
+  X(torus)                   \
   X(triangle)                \
   X(polygon)                 \
+  X(height_field)            \
+  X(mesh)                    \
   X(union_)                  \
   X(intersection)            \
   X(difference)              \
@@ -29,9 +35,7 @@
 namespace zraka::language {
 
 /// Kinds of the language that are not built yet.
-inline constexpr std::string_view kShapesNotBuilt[] = {"parallelogram", "disc",    "capsule",
-                                                       "torus",         "quadric", "superellipsoid",
-                                                       "height_field",  "mesh"};
+inline constexpr std::string_view kShapesNotBuilt[] = {"quadric", "superellipsoid"};
 
 namespace shape {
 #define ZRAKA_DECLARE(name) extern const Kind name;

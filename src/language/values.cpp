@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "language/color.hpp"
 #include "language/fields.hpp"
@@ -82,7 +83,10 @@ FieldValue uvs_of(const toml::Node& node) {
     if (uv.kind != Kind::array || uv.children.size() != 2) return {};
     for (std::size_t i = 0; i < 2; ++i) {
       if (!is_number(uv.children[i])) return {};
-      uvs[corner][i] = static_cast<float>(uv.children[i].number);
+      const double number = uv.children[i].number;
+      if (!(std::fabs(number) <= static_cast<double>(std::numeric_limits<float>::max())))
+        return {};
+      uvs[corner][i] = static_cast<float>(number);
     }
   }
   return uvs;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cone, the frustum and the cylinder: with caps they are bodies; without, primitives as long as
-// they are round.
+// The cone, the frustum and the cylinder: with caps they are bodies; without,
+// primitives as long as they are round.
 #include <fmt/format.h>
 
 #include "language/shapes.hpp"
@@ -28,21 +28,17 @@ constexpr Field kCylinderFields[] = {
     texture_transform_field<CylinderEntry>(),
 };
 
-/// Until frustums are bodies.
-struct Frustum {
-  Vec3 base;
-  double base_radius;
-  Vec3 top;
-  double top_radius;
-  bool caps;
-};
-
 void put(const Frustum& f, const std::optional<Transform>& texture_transform, Item& item) {
-  if (f.caps)
-    return item.complain("caps", "caps are not built yet", "caps = false draws the side alone");
-  if (!keeps_balls(transform_of(item)))
-    return item.complain("transform", "what a transform makes oval is not built yet");
-  add_shape(item, Cone{f.base, f.base_radius, f.top, f.top_radius}, texture_transform);
+  const bool round = keeps_balls(transform_of(item));
+  const bool is_member = common_of(item).place.members != nullptr;
+  if (is_member && !f.caps)
+    return item.complain("caps", "without caps it is no closed body: CSG is of closed bodies");
+  if (!f.caps && round)
+    return add_shape(item, Cone{f.base, f.base_radius, f.top, f.top_radius}, texture_transform);
+  if (texture_transform)
+    return refuse_texture_transform(item,
+                                    f.caps ? "what has caps" : "what its transform makes oval");
+  add_shape(item, f);
 }
 
 void put(CylinderEntry& c, Item& item) {
@@ -80,13 +76,12 @@ void put(ConeEntry& c, Item& item) {
 
 constexpr Kind shape::cylinder = kind_of<CylinderEntry, put>(
     "cylinder", "cylinder", "A cylinder; without caps its side alone, seen from both sides.",
-    kCylinderFields);
+    kCylinderFields, true);
 constexpr Kind shape::cone = kind_of<ConeEntry, put>(
     "cone", "cone", "A cone or a frustum; without caps its side alone, seen from both sides.",
-    kConeFields);
+    kConeFields, true);
 
-void write_shape(const Cone& c, ShapeOutput& output) {
-  const Frustum f{c.base, c.base_radius, c.apex, c.apex_radius, false};
+void write_shape(const Frustum& f, ShapeOutput& output) {
   if (f.base_radius == f.top_radius) {
     const CylinderEntry entry{f.base, f.top, f.base_radius, f.caps, output.texture_transform};
     return output.write(shape::cylinder, &entry);
@@ -94,6 +89,10 @@ void write_shape(const Cone& c, ShapeOutput& output) {
   const ConeEntry entry{f.base,       f.base_radius, f.top,
                         f.top_radius, f.caps,        output.texture_transform};
   output.write(shape::cone, &entry);
+}
+
+void write_shape(const Cone& c, ShapeOutput& output) {
+  write_shape(Frustum{c.base, c.base_radius, c.apex, c.apex_radius, false}, output);
 }
 
 }  // namespace zraka::language
