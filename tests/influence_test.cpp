@@ -6,15 +6,29 @@
 #include <map>
 #include <set>
 
-#include "scenes.hpp"
+#include "shape_scenes.hpp"
 
 namespace zraka {
 namespace {
 
 using Key = std::tuple<std::vector<RayKind>, bool, bool>;
 
-/// The ways of a pixel by which a shape is hit, from its trees.
-std::set<Key> ways_of_pixel(const Explanation& explanation, const ShapeId& shape) {
+/// Whether a path goes through a shape of a group that is named so.
+bool goes_through(const ExplainedPath& path, const std::string& group, const ShapeId& shape) {
+  for (std::size_t i = 0; i < path.instances.size(); ++i) {
+    const NamedShape& next =
+        i + 1 < path.instances.size() ? path.instances[i + 1].shape : *path.inner;
+    if (path.instances[i].group_name == group && next.id == shape) return true;
+  }
+  return false;
+}
+
+/// The ways of a pixel by which a shape is hit, from its trees; of the scene, or of a group.
+std::set<Key> ways_of_pixel(const Explanation& explanation, const ShapeId& shape,
+                            const std::string& group = "") {
+  const auto is_it = [&](const auto& hit) {
+    return group.empty() ? hit.shape.id == shape : goes_through(hit.path, group, shape);
+  };
   std::set<Key> ways;
   for (const RayTree& tree : explanation.trees) {
     std::vector<std::vector<RayKind>> paths(tree.rays.size());
@@ -28,9 +42,9 @@ std::set<Key> ways_of_pixel(const Explanation& explanation, const ShapeId& shape
       std::vector<RayKind> path = paths[r];
       const bool longer = path.size() > kInfluencePath;
       path.resize(std::min(path.size(), kInfluencePath));
-      if (ray.hit->shape.id == shape) ways.insert({path, longer, false});
+      if (is_it(*ray.hit)) ways.insert({path, longer, false});
       for (const LightTerms& at : ray.hit->lights)
-        if (at.blocker && at.blocker->shape.id == shape) ways.insert({path, longer, true});
+        if (at.blocker && is_it(*at.blocker)) ways.insert({path, longer, true});
     }
   }
   return ways;
@@ -76,6 +90,32 @@ TEST(Influence, IsWhatTheExplanationsSay) {
       EXPECT_EQ(got, want) << named.name;
       EXPECT_EQ(found.count(0xFF), reached);
     }
+}
+
+TEST(Influence, OfWhatIsInGroupsIsThatOfAllItsInstances) {
+  const Scene scene = chairs_scene(40);
+  const RenderOptions options{.profile = profile_of(ProfileName::physical)};
+  Explainer explainer = Explainer::create(scene, options).value();
+  for (const auto& [name, group] : {std::pair{"chair/seat", "chair"},
+                                    {"shank", "leg"},
+                                    {"foot", "leg"},
+                                    {"right leg", "chair"},
+                                    {"ball", "chair"},
+                                    {"left", ""}}) {
+    const ShapeInScene shape = find_shape(scene, name).value();
+    const Influence found = influence(scene, options, shape).value();
+    std::uint64_t reached = 0, shadowed = 0;
+    for (std::uint32_t y = 0; y < 40; ++y)
+      for (std::uint32_t x = 0; x < 40; ++x) {
+        const unsigned bits =
+            bits_of(ways_of_pixel(explainer.pixel(x, y).value(), shape.id, group));
+        ASSERT_EQ(found.pixels[y * 40 + x], bits) << name << " (" << x << ", " << y << ")";
+        reached += bits != 0;
+        shadowed += (bits & kShadow) != 0;
+      }
+    EXPECT_GT(reached, 10u) << name;
+    EXPECT_GT(shadowed, 5u) << name;
+  }
 }
 
 TEST(Influence, OfOneSphereIsItsSilhouetteAndItsShadow) {
@@ -149,6 +189,47 @@ TEST(FindShape, KnowsNamesAndNumbers) {
   EXPECT_EQ(found("stožac 1"), (ShapeId{3, 0}));
   EXPECT_EQ(found("krov"), (ShapeId{1, 2})) << "the exact name wins";
   EXPECT_EQ(found("Krov"), (ShapeId{1, 5}));
+}
+
+TEST(FindShape, KnowsNamesInGroups) {
+  Scene scene = chairs_scene();
+  constexpr std::int32_t kEllipsoid = kind_in_list<Ellipsoid>(), kBox = kind_in_list<Box>(),
+                         kCsg = kind_in_list<Csg>(), kInstance = kind_in_list<Instance>();
+  const auto found = [&](const std::string& name) { return find_shape(scene, name).value(); };
+  EXPECT_EQ(found("left"), (ShapeInScene{kInstance, 0}));
+  EXPECT_EQ(found("instance 2"), (ShapeInScene{kInstance, 1}));
+  EXPECT_EQ(found("primjerak 2"), (ShapeInScene{kInstance, 1}));
+  EXPECT_EQ(found("seat"), (ShapeInScene{{kBox, 0}, 1}));
+  EXPECT_EQ(found("Chair/Seat"), (ShapeInScene{{kBox, 0}, 1}));
+  EXPECT_EQ(found("chair/box 1"), (ShapeInScene{{kBox, 0}, 1}));
+  EXPECT_EQ(found("chair/kvadar 1"), (ShapeInScene{{kBox, 0}, 1}));
+  EXPECT_EQ(found("leg/shank"), (ShapeInScene{{kEllipsoid, 0}, 0}));
+  EXPECT_EQ(found("chair/right leg"), (ShapeInScene{{kInstance, 1}, 1}));
+  EXPECT_EQ(found("bore"), (ShapeInScene{{kCsg, 0}, 1})) << "a member is its whole";
+  EXPECT_EQ(found("chair/block"), (ShapeInScene{{kCsg, 0}, 1})) << "of a member, too";
+  EXPECT_EQ(found("chair/csg 1"), (ShapeInScene{{kCsg, 0}, 1}));
+  EXPECT_EQ(find_shape(csg_scene(), "drilled").value(), (ShapeInScene{kCsg, 0}));
+  // What the scene itself has goes before what groups have.
+  scene.names[{0, 0}] = "seat";
+  EXPECT_EQ(found("seat"), (ShapeInScene{0, 0}));
+  scene.groups[0].name = "";
+  EXPECT_EQ(found("group 1/foot"), (ShapeInScene{{0, 0}, 0}));
+
+  const auto error = [&](const std::string& name) {
+    return to_string(find_shape(scene, name).error().front());
+  };
+  EXPECT_EQ(
+      error("arm"),
+      "error: the scene has no shape 'arm'\n  it has sphere 1, instance 1 to instance 2; names "
+      "are 'seat', 'left'; groups are 'group 1', 'chair': say GROUP/NAME for a shape in one\n");
+  EXPECT_EQ(
+      error("chair/arm"),
+      "error: group 'chair' has no shape 'arm'\n  it has box 1, csg 1, instance 1 to instance "
+      "2; names are 'seat', 'right leg'\n");
+  scene.groups[0].names[{kEllipsoid, 0}] = "right leg";
+  EXPECT_EQ(error("right leg"),
+            "error: 2 shapes are called 'right leg'\n  say which: group 1/ellipsoid 1, "
+            "chair/instance 2\n");
 }
 
 TEST(FindShape, SaysWhatThereIs) {

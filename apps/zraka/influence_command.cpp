@@ -63,14 +63,37 @@ std::string way_text(Language language, const InfluenceWay& way) {
 
 constexpr unsigned kAnyBit = 0xFF;
 
-void print_text(const Arguments& arguments, const NamedShape& shape, const Influence& influence) {
+/// What was asked for: a shape, and the group that it is in; "" for the scene's own.
+struct Asked {
+  NamedShape shape;
+  std::string group;
+
+  Asked(const Scene& scene, const ShapeInScene& found) : shape{found.id, ""} {
+    const ShapeLists* shapes = &scene;
+    if (found.group >= 0) {
+      const Group& its = scene.groups[static_cast<std::size_t>(found.group)];
+      group = its.name.empty() ? fmt::format("{}", found.group + 1) : its.name;
+      shapes = &its;
+    }
+    if (const auto own = shapes->names.find(shape.id); own != shapes->names.end())
+      shape.name = own->second;
+  }
+  std::string label(Language language) const {
+    const std::string bare = label_of(language, shape);
+    return group.empty()
+               ? bare
+               : say(language, Word::of_group, bare, fmt::format("'{}'", shown_line(group)));
+  }
+};
+
+void print_text(const Arguments& arguments, const Asked& asked, const Influence& influence) {
   constexpr std::size_t kMostWays = 16;
   const Language language = *language_named(arguments.language);
   const std::uint64_t all = influence.pixels.size(), reached = influence.count(kAnyBit);
   fmt::print(
       "{}\n",
       capitalized(say(
-          language, Word::influence_of, label_of(language, shape), grouped(reached), grouped(all),
+          language, Word::influence_of, asked.label(language), grouped(reached), grouped(all),
           fmt::format("{:.3g}", 100 * static_cast<double>(reached) / static_cast<double>(all)))));
   std::uint64_t rest = 0;
   for (std::size_t i = 0; i < influence.ways.size(); ++i) {
@@ -87,9 +110,10 @@ void print_text(const Arguments& arguments, const NamedShape& shape, const Influ
     fmt::print("{}\n", say(language, Word::influence_legend));
 }
 
-void print_json(const NamedShape& shape, const Influence& influence) {
-  Json json = {{"shape", plain_name(shape.id)}};
-  if (!shape.name.empty()) json["name"] = shape.name;
+void print_json(const Asked& asked, const Influence& influence) {
+  Json json = {{"shape", plain_name(asked.shape.id)}};
+  if (!asked.shape.name.empty()) json["name"] = asked.shape.name;
+  if (!asked.group.empty()) json["group"] = asked.group;
   json["resolution"] = {influence.width, influence.height};
   json["pixels"] = {
       {"any", influence.count(kAnyBit)},         {"seen", influence.count(kSeen)},
@@ -115,7 +139,7 @@ int run(const Arguments& arguments) {
   std::string name;
   for (const std::string& word : arguments.name)
     name += fmt::format("{}{}", name.empty() ? "" : " ", word);
-  const Result<ShapeId> shape = find_shape(*scene, name);
+  const Result<ShapeInScene> shape = find_shape(*scene, name);
   if (!shape) return fail(shape.error());
   const RenderOptions options = arguments.options(*scene);
   const Result<Influence> found = influence(*scene, options, *shape);
@@ -128,12 +152,11 @@ int run(const Arguments& arguments) {
     if (!written) return fail(written.error());
     if (arguments.output == "-") return kDone;
   }
-  const auto own = scene->names.find(*shape);
-  const NamedShape named{*shape, own == scene->names.end() ? "" : own->second};
+  const Asked asked(*scene, *shape);
   if (arguments.format == "json")
-    print_json(named, *found);
+    print_json(asked, *found);
   else
-    print_text(arguments, named, *found);
+    print_text(arguments, asked, *found);
   return kDone;
 }
 
@@ -146,7 +169,8 @@ void add_influence(Command& program) {
       "say which pixels a shape has a part in: seen, mirrored, through glass, by shadow");
   arguments->add_to(app);
   app.add("NAME", &arguments->name,
-          "the shape: its name in the file, or its kind and number, as in sphere 3")
+          "the shape: its name in the file, or its kind and number, as in sphere 3; GROUP/NAME for "
+          "one of a group, in all its instances")
       .required();
   check_png_name(
       app.add("-o,--output", &arguments->output,
@@ -158,7 +182,8 @@ void add_influence(Command& program) {
       "Examples:\n"
       "  zraka influence scenes/lab/input.txt zrcalo\n"
       "  zraka influence scenes/lab/input.txt sphere 3 -o glass.png\n"
-      "  zraka influence scenes/lab/input.txt sphere 3 --format json | jq .pixels");
+      "  zraka influence scenes/lab/input.txt sphere 3 --format json | jq .pixels\n"
+      "  zraka influence room.toml chair/leg");
   app.action([arguments] { return run(*arguments); });
 }
 

@@ -13,17 +13,10 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include <zraka/explained_shape.hpp>
 #include <zraka/render.hpp>
 
 namespace zraka {
-
-using Float3 = std::array<float, 3>;
-
-/// A shape and the name that its file gives it; "" without one.
-struct NamedShape {
-  ShapeId id;
-  std::string name;
-};
 
 /// What a light does at a hit.
 enum class Reach {
@@ -37,6 +30,7 @@ enum class Reach {
 struct Blocker {
   NamedShape shape;
   double distance = 0;  ///< from the shadow ray's start
+  ExplainedPath path{};
 };
 
 /// One light at one hit. Terms that are not there were not added.
@@ -83,9 +77,16 @@ struct Child {
 };
 
 struct ExplainedHit {
-  NamedShape shape;
-  double distance = 0;  ///< from the ray's origin
+  NamedShape shape;      ///< of the scene; an instance where it stands in a group
+  ExplainedPath path{};  ///< from there on
+  std::optional<ExplainedCrossings> crossings{};  ///< of a CSG shape
+  double distance = 0;                            ///< from the ray's origin
   Vec3 point;
+  /// From the shape's own space to the world, where that has one; with all its instances'.
+  std::optional<Transform> transform{};
+  std::optional<OwnPlace> own{};  ///< where there is a transform, or a texture was looked up
+  std::vector<TexturedCoefficient> textures{};
+  std::optional<TexturedNormal> bent{};
   Float3 normal{};       ///< N, towards the side that the ray came from
   bool flipped = false;  ///< N was turned: the ray came from inside, or from a flat shape's back
   Float3 ka{}, kd{}, ks{};

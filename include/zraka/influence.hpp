@@ -36,11 +36,25 @@ struct Influence {
   std::uint64_t count(unsigned bits) const;
 };
 
+/// A shape of the scene, or one of a group: then in all its instances.
+struct ShapeInScene {
+  ShapeId id;
+  std::int32_t group = -1;  ///< index in Scene::groups; -1: the scene itself
+
+  ShapeInScene() = default;
+  ShapeInScene(const ShapeId& shape, std::int32_t of_group = -1) : id(shape), group(of_group) {}
+  ShapeInScene(std::int32_t kind, std::uint32_t index) : id{kind, index} {}
+  friend bool operator==(const ShapeInScene&, const ShapeInScene&) = default;
+};
+
 /// Traces the whole picture. Fails as render() does, and for a shape that the scene does not have.
-Result<Influence> influence(const Scene& scene, const RenderOptions& options, const ShapeId& shape);
+Result<Influence> influence(const Scene& scene, const RenderOptions& options,
+                            const ShapeInScene& shape);
 
 /// The shape that a text names: the name that its file gives it, or "sphere 3" as messages call it
-/// (counted from 1, in any case). Fails with names that it could have been.
-Result<ShapeId> find_shape(const Scene& scene, const std::string& name);
+/// (counted from 1, in any case); "chair/leg" or "chair/box 1" is in the group called chair, whose
+/// name may be left out where no other shape is called leg. The name of a CSG shape's member is the
+/// whole's. Fails with names that it could have been.
+Result<ShapeInScene> find_shape(const Scene& scene, const std::string& name);
 
 }  // namespace zraka

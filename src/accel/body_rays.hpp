@@ -93,8 +93,15 @@ ZRAKA_INLINE F first_in_front(const F (&at)[kMost]) {
 template <class L>
 ZRAKA_INLINE void answer(BodyQuery<L>& query, std::size_t c, std::uint32_t asked,
                          typename DoublesOf<L>::F nearest) {
-  alignas(64) double t[DoublesOf<L>::kWidth];
-  DoublesOf<L>::store(nearest, t);
+  using D = DoublesOf<L>;
+  constexpr auto kAll = static_cast<std::uint32_t>((std::uint64_t{1} << D::kWidth) - 1);
+  if (asked == kAll) {
+    D::store_reals(select(nearest < typename D::F(kFarAway<double>), nearest, typename D::F(-1.0)),
+                   query.t + c);
+    return;
+  }
+  alignas(64) double t[D::kWidth];
+  D::store(nearest, t);
   for (; asked != 0; asked &= asked - 1) {
     const auto lane = static_cast<std::size_t>(__builtin_ctz(asked));
     query.t[c + lane] =

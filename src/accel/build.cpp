@@ -54,7 +54,7 @@ class NodePool {
   std::size_t size_ = 0;
 };
 
-void set_box(Node& node, std::size_t i, const Bounds& bounds) {
+void set_box(Node& node, std::size_t i, const BuildBounds& bounds) {
   node.lower_x[i] = bounds.lower[0], node.lower_y[i] = bounds.lower[1],
   node.lower_z[i] = bounds.lower[2];
   node.upper_x[i] = bounds.upper[0], node.upper_y[i] = bounds.upper[1],

@@ -10,8 +10,8 @@
 namespace zraka {
 namespace {
 
-/// What a ray pays for a leaf besides its shapes.
-constexpr float kLeafCost = 1;
+/// What a ray pays for a leaf besides its shapes, and for a body among them.
+constexpr float kLeafCost = 1, kBodyCost = 8;
 /// Ranges of several kinds up to this size are cut where the kinds change.
 constexpr std::size_t kFew = 4;
 /// Ranges from here to there may end in full leaves; smaller ones of one kind are found among
@@ -37,10 +37,11 @@ void Collapse::add(std::int32_t index, const Range& range, int levels, bool full
   part.begin = range.begin, part.end = range.end, part.bounds = range.bounds;
   part.left = part.right = 0;
   if (rules.full_leaves && !full_leaves && size >= kFullFrom && size <= kFullTo)
-    full_leaves = plan.kinds.are_one(range);
+    full_leaves = plan.kinds.are_one(range) && !plan.kinds.is_body(*range.begin);
   const bool one_kind =
       full_leaves || (size <= std::max(rules.most, kFew) && plan.kinds.are_one(range));
-  const std::size_t whole = full_leaves ? kNodeWidth : rules.whole;
+  const bool bodies = one_kind && plan.kinds.is_body(*range.begin);
+  const std::size_t whole = full_leaves ? kNodeWidth : bodies ? 1 : rules.whole;
   if (size > 1 && !(one_kind && size <= whole)) {
     const auto [left, right] =
         size <= kFew && !one_kind
@@ -50,7 +51,8 @@ void Collapse::add(std::int32_t index, const Range& range, int levels, bool full
     part.right = index + static_cast<std::int32_t>(2 * left.size());
     add_both(part, left, right, levels - 1, full_leaves, plan);
   }
-  price(part, one_kind && size <= std::max(rules.most, whole), rules.node_cost);
+  price(part, one_kind && size <= std::max(rules.most, whole), rules.node_cost,
+        bodies ? kBodyCost : 1);
 }
 
 void Collapse::add_both(const Part& part, const Range& left, const Range& right, int levels,
@@ -73,9 +75,9 @@ void Collapse::add_both(const Part& part, const Range& left, const Range& right,
   from_task.take();
 }
 
-void Collapse::price(Part& part, bool can_be_leaf, float node_cost) const {
+void Collapse::price(Part& part, bool can_be_leaf, float node_cost, float shape_cost) const {
   const float area = part.bounds.half_area();
-  const float as_leaf = area * (kLeafCost + static_cast<float>(part.size()));
+  const float as_leaf = area * (kLeafCost + shape_cost * static_cast<float>(part.size()));
   part.leaf = true;
   part.most = part.in_node = 1;
   part.cost.fill(as_leaf);

@@ -33,7 +33,7 @@ class Collapse {
   /// A part of the range.
   struct Part {
     BuildRef *begin, *end;
-    Bounds bounds;
+    BuildBounds bounds;
     bool leaf;  ///< or a node
     std::size_t size() const { return static_cast<std::size_t>(end - begin); }
 
@@ -66,7 +66,7 @@ class Collapse {
   void add(std::int32_t index, const Range& range, int levels, bool full_leaves, const Plan& plan);
   void add_both(const Part& part, const Range& left, const Range& right, int levels,
                 bool full_leaves, const Plan& plan);
-  void price(Part& part, bool can_be_leaf, float node_cost) const;
+  void price(Part& part, bool can_be_leaf, float node_cost, float shape_cost) const;
   const Part& at(std::int32_t index) const { return parts_[static_cast<std::size_t>(index)]; }
 
   template <class Function>

@@ -42,7 +42,7 @@ class Grid {
   /// A box of cells, and where to split it best.
   struct Block {
     int from[3] = {0, 0, 0}, to[3] = {kSide, kSide, kSide};
-    Bounds bounds;
+    BuildBounds bounds;
     std::size_t count = 0;
     int axis = 3, border = 0;  // 3: cannot be split
   };
@@ -56,7 +56,7 @@ class Grid {
   void look_into(Block& block) const;
 
   Binning binning_;
-  std::vector<Bounds> bounds_;
+  std::vector<BuildBounds> bounds_;
   std::vector<std::uint32_t> counts_;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "accel/ranges.hpp"
+#include "scene/frozen.hpp"
 
 namespace zraka {
 
@@ -20,6 +21,8 @@ class Kinds {
     while (ref.index >= starts_[kind + 1]) ++kind;
     return static_cast<std::int32_t>(kind);
   }
+  /// Bodies are intersected out of line and in double: to ask one takes as long as many others.
+  bool is_body(const BuildRef& ref) const { return of(ref) == kKindOfBody; }
   bool are_one(const Range& range) const {
     return std::all_of(range.begin, range.end,
                        [&](const BuildRef& r) { return of(r) == of(*range.begin); });

@@ -16,8 +16,8 @@ namespace {
 /// Ranges under this size have half as many bins: what bins cost by themselves counts there.
 constexpr std::size_t kFewBinsSize = 64;
 
-Bounds centers_of(const BuildRef* begin, const BuildRef* end) {
-  Bounds centers;
+BuildBounds centers_of(const BuildRef* begin, const BuildRef* end) {
+  BuildBounds centers;
   for (const BuildRef* r = begin; r != end; ++r) {
     const Four center = center_of(*r);
     centers.include(center, center);
@@ -88,7 +88,7 @@ struct Split {
   std::size_t axis = 3;  // 3: none was found
   std::size_t bin = 0;   // the first of the right side
   float cost = std::numeric_limits<float>::infinity();
-  Bounds left, right;
+  BuildBounds left, right;
 };
 
 Split best_split(const Range& range, const Binning& binning, std::uint32_t leaf) {
@@ -134,18 +134,18 @@ Range range_of(BuildRef* begin, BuildRef* end) {
   return range;
 }
 
-Bounds centers_by_tasks(const BuildRef* begin, const BuildRef* end) {
+BuildBounds centers_by_tasks(const BuildRef* begin, const BuildRef* end) {
   Handover handover;
   handover.give();
-  const Bounds centers = tbb::parallel_reduce(
-      tbb::blocked_range<const BuildRef*>(begin, end, 16 * kTaskSize), Bounds(),
-      [&](const tbb::blocked_range<const BuildRef*>& part, Bounds sum) {
+  const BuildBounds centers = tbb::parallel_reduce(
+      tbb::blocked_range<const BuildRef*>(begin, end, 16 * kTaskSize), BuildBounds(),
+      [&](const tbb::blocked_range<const BuildRef*>& part, BuildBounds sum) {
         handover.take();
         sum.include(centers_of(part.begin(), part.end()));
         handover.give();
         return sum;
       },
-      [](Bounds a, const Bounds& b) {
+      [](BuildBounds a, const BuildBounds& b) {
         a.include(b);
         return a;
       });

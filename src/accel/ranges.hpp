@@ -48,7 +48,7 @@ inline Four center_of(const BuildRef& ref) {
   return lower_of(ref) + upper_of(ref);
 }
 
-struct Bounds {
+struct BuildBounds {
   static constexpr float kInfinity = std::numeric_limits<float>::infinity();
   Four lower = {kInfinity, kInfinity, kInfinity, kInfinity};
   Four upper = -lower;
@@ -57,7 +57,7 @@ struct Bounds {
     lower = smaller(lower, lo);
     upper = larger(upper, up);
   }
-  void include(const Bounds& other) { include(other.lower, other.upper); }
+  void include(const BuildBounds& other) { include(other.lower, other.upper); }
   bool empty() const { return !(lower[0] <= upper[0]); }
   float half_area() const {
     const Four size = upper - lower;
@@ -67,7 +67,7 @@ struct Bounds {
 
 struct Range {
   BuildRef *begin, *end;
-  Bounds bounds, centers;
+  BuildBounds bounds, centers;
   std::size_t size() const { return static_cast<std::size_t>(end - begin); }
   /// What it costs to hit all of it, by the surface area heuristic.
   float cost() const { return bounds.half_area() * static_cast<float>(size()); }
@@ -75,10 +75,10 @@ struct Range {
 
 /// With the bounds of references and of their centres.
 Range range_of(BuildRef* begin, BuildRef* end);
-Bounds centers_by_tasks(const BuildRef* begin, const BuildRef* end);
+BuildBounds centers_by_tasks(const BuildRef* begin, const BuildRef* end);
 
 struct Bin {
-  Bounds bounds;
+  BuildBounds bounds;
   std::uint32_t count = 0;
 };
 

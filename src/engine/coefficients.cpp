@@ -238,6 +238,11 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
     for (std::int32_t i = 0; i < its.use_count; ++i)
       put(its.uses[i].coefficient, textures.set->value(its.uses[i].texture, seen.detail.at), row);
     if (its.normals.kind == NormalUse::Kind::none) continue;
+    if (scratch.smooth_x != nullptr) {
+      scratch.smooth_x[h] = scratch.nx[h];
+      scratch.smooth_y[h] = scratch.ny[h];
+      scratch.smooth_z[h] = scratch.nz[h];
+    }
     const V3<double> way = bent(*textures.set, its.normals, seen, normal, view);
     scratch.nx[h] = static_cast<R>(way.x);
     scratch.ny[h] = static_cast<R>(way.y);

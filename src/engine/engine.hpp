@@ -84,6 +84,7 @@ struct Scratch {
   std::int32_t* own_row;  ///< scene has no textures: 0, 1, 2…
   HitPath* paths;
   HitDetail* details;
+  R *smooth_x, *smooth_y, *smooth_z;  ///< normals before textures bend them; nullptr unless recorded
   R *lx, *ly, *lz;  ///< unit direction to the light at hand
   R* lit;           ///< 1 where the light at hand reaches the hit, else 0
   R *sox, *soy, *soz, *sdx, *sdy, *sdz, *sdistance;  ///< by shadow ray
@@ -127,6 +128,7 @@ struct Recording {
   R* terms[static_cast<int>(Quantity::count)];  ///< batch values each
   R* blocker_t;           ///< by shadow ray: distance to the nearest shape before the light
   std::int32_t* blocker;  ///< by shadow ray: its slot; -1: none
+  HitPath* blocker_path;  ///< by shadow ray: the way to it, in scenes with bodies; nullptr: unasked
   bool stop = false;      ///< set by the reader: no more levels, the rest is not wanted
 
   void* reader;

@@ -6,6 +6,7 @@
 #include "accel/traverse.hpp"
 #include "engine/engine.hpp"
 #include "engine/load_rays.hpp"
+#include "engine/surfaces.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -57,6 +58,8 @@ class Record {
       each_register(rays, first, shadow_rays, [&](std::size_t i, const RayLanes<L>& ray, auto) {
         L::store(ray.t, to_.blocker_t + i);
         L::store(ray.slot, to_.blocker + i);
+        if (to_.blocker_path != nullptr && scene.bodies.count > 0)
+          surfaces_at<L>(scene, ray.slot, ray.origin, ray.direction, ray.t, to_.blocker_path + i);
       });
     }
     to_.at_light(to_.reader, light, shadow_rays, level, scratch);

@@ -10,6 +10,7 @@
 
 #include "engine/tile_order.hpp"
 #include "explain/recording.hpp"
+#include "explain/shape_lookup.hpp"
 #include "explain/tile_listeners.hpp"
 #include "render/workspace.hpp"
 
@@ -56,26 +57,71 @@ std::uint8_t bit_of(const std::vector<RayKind>& path, bool shadow) {
                                 : kSeen;
 }
 
-/// The slots of a shape of a frozen scene: one, or more if it is in pieces.
-std::vector<std::int32_t> slots_of(const FrozenScene<float>& scene, const ShapeId& shape) {
+/// The slots of a shape of a frozen scene, or of a group: one, or more if it is in pieces.
+std::vector<std::int32_t> slots_of(const ShapeLists& shapes, const FrozenScene<float>& frozen,
+                                   const ShapeId& shape) {
   std::int32_t slots = 0;
-#define ZRAKA_COUNT(Type, plural) slots += scene.plural.count;
+#define ZRAKA_COUNT(Type, plural) slots += frozen.plural.count;
   ZRAKA_KINDS(ZRAKA_COUNT)
 #undef ZRAKA_COUNT
   std::vector<std::int32_t> its;
   for (std::int32_t slot = 0; slot < slots; ++slot)
-    if (shape_in_slot(scene, slot) == shape) its.push_back(slot);
+    if (shape_in_slot(shapes, frozen, slot) == shape) its.push_back(slot);
   return its;
 }
+
+/// The shape that is looked for, as its slots where it stands.
+class Wanted {
+ public:
+  Wanted(const Scene& scene, const FrozenStore<float>& store, const ShapeInScene& shape)
+      : scene_(store.scene) {
+    if (shape.group < 0) {
+      slots_ = slots_of(scene, store.scene, shape.id);
+    } else if (const auto group = static_cast<std::size_t>(shape.group);
+               group < scene.groups.size()) {
+      group_ = &store.groups[group];
+      slots_ = slots_of(scene.groups[group], *group_, shape.id);
+    }
+  }
+
+  bool exists() const { return !slots_.empty(); }
+  bool in_group() const { return group_ != nullptr; }
+
+  /// Whether the way to a hit of this slot of the scene goes through it.
+  bool is_on_way(std::int32_t slot, const HitPath* path) const {
+    if (slot < 0) return false;
+    if (group_ == nullptr) return holds(slot);
+    if (path == nullptr) return false;
+    const FrozenScene<float>* at = &scene_;
+    for (int i = 0; i < path->depth; ++i) {
+      const FrozenShapes<float, Body>& bodies = at->bodies;
+      if (at == group_ && holds(bodies.first_slot + path->instance[i])) return true;
+      const double* const row = bodies.numbers + bodies.start[path->instance[i]];
+      at = bodies.groups + static_cast<std::ptrdiff_t>(row[kBodyNumbers]);
+    }
+    return at == group_ && holds(path->slot);
+  }
+
+ private:
+  bool holds(std::int32_t slot) const {
+    return std::find(slots_.begin(), slots_.end(), slot) != slots_.end();
+  }
+
+  const FrozenScene<float>& scene_;
+  const FrozenScene<float>* group_ = nullptr;  ///< nullptr: it stands in the scene itself
+  std::vector<std::int32_t> slots_;
+};
 
 /// One thread's listener and what it has noted.
 class WayReader {
  public:
-  WayReader(std::vector<std::int32_t> slots, bool corners, std::int32_t batch, int max_depth)
-      : slots_(std::move(slots)),
+  WayReader(const FrozenScene<float>& scene, const Wanted& wanted, bool corners, std::int32_t batch,
+            int max_depth)
+      : scene_(scene),
+        wanted_(wanted),
         corners_(corners),
         workspace_(batch, max_depth, true),
-        terms_(batch, *this),
+        terms_(batch, *this, wanted.in_group()),
         pixels_(static_cast<std::size_t>(max_depth) + 1),
         ways_of_rays_(pixels_.size()),
         ignored_(3 * static_cast<std::size_t>(batch)) {}
@@ -83,8 +129,7 @@ class WayReader {
   WayReader& operator=(const WayReader&) = delete;
 
   /// Traces a tile of pixels and sets their bits.
-  void read(const FrozenScene<float>& scene, const TraceSettings& settings, const TileRect& tile,
-            Influence& influence);
+  void read(const TraceSettings& settings, const TileRect& tile, Influence& influence);
 
   /// Pixels that are reached by each way, by its path and whether it is a shadow's.
   using Key = std::tuple<std::vector<RayKind>, bool, bool>;
@@ -103,16 +148,14 @@ class WayReader {
   std::size_t depth_of(const Level<float>& level) {
     return static_cast<std::size_t>(&level - workspace_.workspace().levels);
   }
-  bool is_its(std::int32_t slot) const {
-    return std::find(slots_.begin(), slots_.end(), slot) != slots_.end();
-  }
   void note(std::size_t depth, std::size_t ray, bool shadow);
   void leave_each_once() {
     std::sort(notes_.begin(), notes_.end());
     notes_.erase(std::unique(notes_.begin(), notes_.end()), notes_.end());
   }
 
-  std::vector<std::int32_t> slots_;
+  const FrozenScene<float>& scene_;
+  const Wanted& wanted_;
   bool corners_;
   WorkspaceMemory<float> workspace_;
   RecordedTerms terms_;
@@ -140,7 +183,7 @@ void WayReader::at_hits(const Level<float>& level, const Scratch<float>& s) {
   const auto begin = static_cast<std::size_t>(level.done);
   for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
     const auto ray = static_cast<std::size_t>(level.hits.ray[h]);
-    if (is_its(s.slot[ray])) note(depth_of(level), begin + ray, false);
+    if (wanted_.is_on_way(s.slot[ray], &s.paths[h])) note(depth_of(level), begin + ray, false);
   }
 }
 
@@ -149,7 +192,8 @@ void WayReader::at_light(std::int32_t, std::size_t shadow_rays, const Level<floa
   const auto begin = static_cast<std::size_t>(level.done);
   for (std::size_t i = 0; i < shadow_rays; ++i) {
     const auto h = static_cast<std::size_t>(s.shadow_ray_hit[i]);
-    if (s.lit[h] > 0 || !is_its(terms_.blocker(i, s))) continue;
+    if (s.lit[h] > 0 || !wanted_.is_on_way(terms_.blocker(i, s), terms_.blocker_path(i, scene_)))
+      continue;
     note(depth_of(level), begin + static_cast<std::size_t>(level.hits.ray[h]), true);
   }
 }
@@ -172,8 +216,7 @@ void WayReader::at_children(const Level<float>& level, const Level<float>& next)
   }
 }
 
-void WayReader::read(const FrozenScene<float>& scene, const TraceSettings& settings,
-                     const TileRect& tile, Influence& influence) {
+void WayReader::read(const TraceSettings& settings, const TileRect& tile, Influence& influence) {
   tile_ = tile;
   const std::int32_t more = corners_ ? 1 : 0;
   const TileRect rays{tile.x, tile.y, tile.width + more, tile.height + more};
@@ -189,7 +232,7 @@ void WayReader::read(const FrozenScene<float>& scene, const TraceSettings& setti
   ways_of_rays_[0].assign(ray_places_.size(), Ways::kRoot);
 
   RayCounts counts;
-  record_tile()(scene, settings, rays, workspace_.workspace(), counts, ignored_.data(),
+  record_tile()(scene_, settings, rays, workspace_.workspace(), counts, ignored_.data(),
                 static_cast<std::size_t>(rays.width), terms_.recording());
   leave_each_once();
   for (const auto& [way, pixel] : notes_) {
@@ -210,14 +253,14 @@ std::uint64_t Influence::count(unsigned bits) const {
 }
 
 Result<Influence> influence(const Scene& scene, const RenderOptions& options,
-                            const ShapeId& shape) {
+                            const ShapeInScene& shape) {
   if (const Result<Isa> isa = isa_to_listen_to(scene, options); !isa)
     return tl::make_unexpected(isa.error());
   try {
     const PreparedScene<float> prepared = prepare<float>(scene, options.profile);
     const FrozenScene<float>& frozen = prepared.store->scene;
-    const std::vector<std::int32_t> slots = slots_of(frozen, shape);
-    if (slots.empty()) return failure("", "the scene does not have this shape");
+    const Wanted wanted(scene, *prepared.store, shape);
+    if (!wanted.exists()) return failure("", "the scene does not have this shape");
 
     Influence found;
     found.width = scene.resolution.width;
@@ -228,11 +271,9 @@ Result<Influence> influence(const Scene& scene, const RenderOptions& options,
     const auto readers = listen_to_tiles<WayReader>(
         scene.resolution, options,
         [&](std::int32_t batch) {
-          return std::make_unique<WayReader>(slots, corners, batch, settings.max_depth);
+          return std::make_unique<WayReader>(frozen, wanted, corners, batch, settings.max_depth);
         },
-        [&](WayReader& reader, const TileRect& rect) {
-          reader.read(frozen, settings, rect, found);
-        });
+        [&](WayReader& reader, const TileRect& rect) { reader.read(settings, rect, found); });
     if (!readers) return failure("", "the search was cancelled");
 
     std::map<WayReader::Key, std::uint64_t> counts;

@@ -4,39 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/json.hpp"
 #include "explain/angles.hpp"
-#include "explain/names.hpp"
+#include "explain/surface_json.hpp"
 
 namespace zraka {
 namespace {
 
-/// The double with the float's shortest decimal, so that 0.1f is printed as 0.1 and read back as
-/// 0.1f.
-Json number(float v) {
-  char text[32];
-  const auto written = std::to_chars(text, text + sizeof text, v);
-  double shortest = 0;
-  std::from_chars(text, written.ptr, shortest);
-  return static_cast<float>(shortest) == v ? shortest : static_cast<double>(v);
-}
-Json number(const Float3& v) {
-  return {number(v[0]), number(v[1]), number(v[2])};
-}
-Json point_json(const Vec3& v) {
-  return {v.x, v.y, v.z};
-}
 template <class T>
 Json if_there(const std::optional<T>& value) {
-  return value ? number(*value) : Json();
-}
-
-Json shape_json(const NamedShape& shape) {
-  Json json = {{"shape", plain_name(shape.id)}};
-  if (!shape.name.empty()) json["name"] = shape.name;
-  return json;
+  return value ? number_json(*value) : Json();
 }
 
 constexpr const char* kReachNames[] = {"lit", "unchecked", "behind", "blocked"};
@@ -48,11 +26,12 @@ Json light_json(const LightTerms& at, std::size_t light) {
   Json json = {{"light", light + 1},
                {"reach", kReachNames[static_cast<int>(at.reach)]},
                {"distance", at.distance},
-               {"L", number(at.to_light)},
-               {"l_n", number(at.l_n)}};
+               {"L", number_json(at.to_light)},
+               {"l_n", number_json(at.l_n)}};
   if (at.blocker) {
     json["blocker"] = shape_json(at.blocker->shape);
     json["blocker"]["distance"] = at.blocker->distance;
+    add_path(at.blocker->path, json["blocker"]);
   }
   json["diffuse"] = if_there(at.diffuse);
   json["r_v"] = if_there(at.r_v);
@@ -63,9 +42,9 @@ Json light_json(const LightTerms& at, std::size_t light) {
 
 Json snell_json(const SnellTerms& snell) {
   const Angles angles = angles_of(snell);
-  Json json = {{"cos_alpha", number(snell.cosine)},
-               {"b", number(snell.ratio)},
-               {"quarter_d", number(snell.quarter_d)},
+  Json json = {{"cos_alpha", number_json(snell.cosine)},
+               {"b", number_json(snell.ratio)},
+               {"quarter_d", number_json(snell.quarter_d)},
                {"a", if_there(snell.a)},
                {"total", snell.total},
                {"alpha_deg", angles.alpha_deg}};
@@ -79,7 +58,7 @@ Json ray_json(const RayTree& tree, std::size_t place_of_ray);
 Json child_json(const RayTree& tree, const Child& child) {
   if (child.ray < 0)
     return {{"ray", nullptr}, {"absence", kAbsenceNames[static_cast<int>(child.absence)]}};
-  return {{"share", number(child.share)},
+  return {{"share", number_json(child.share)},
           {"ray", ray_json(tree, static_cast<std::size_t>(child.ray))}};
 }
 
@@ -87,19 +66,21 @@ Json hit_json(const RayTree& tree, const ExplainedHit& hit) {
   Json json = shape_json(hit.shape);
   json["distance"] = hit.distance;
   json["point"] = point_json(hit.point);
-  json["normal"] = number(hit.normal);
+  json["normal"] = number_json(hit.normal);
   json["flipped"] = hit.flipped;
-  json["material"] = {{"ka", number(hit.ka)},       {"kd", number(hit.kd)}, {"ks", number(hit.ks)},
-                      {"n", number(hit.shininess)}, {"k1", number(hit.k1)}, {"k2", number(hit.k2)}};
-  json["ambient"] = number(hit.ambient);
+  add_surface(hit, json);
+  json["material"] = {{"ka", number_json(hit.ka)}, {"kd", number_json(hit.kd)},
+                      {"ks", number_json(hit.ks)}, {"n", number_json(hit.shininess)},
+                      {"k1", number_json(hit.k1)}, {"k2", number_json(hit.k2)}};
+  json["ambient"] = number_json(hit.ambient);
   json["lights"] = Json::array();
   for (std::size_t i = 0; i < hit.lights.size(); ++i)
     json["lights"].push_back(light_json(hit.lights[i], i));
-  json["local"] = number(hit.local);
+  json["local"] = number_json(hit.local);
   json["snell"] = hit.snell ? snell_json(*hit.snell) : Json();
   json["reflected"] = child_json(tree, hit.reflected);
   json["refracted"] = child_json(tree, hit.refracted);
-  json["sum"] = number(hit.sum);
+  json["sum"] = number_json(hit.sum);
   return json;
 }
 
@@ -109,14 +90,14 @@ Json ray_json(const RayTree& tree, std::size_t place_of_ray) {
           {"depth", ray.depth},
           {"weight", ray.weight},
           {"origin", point_json(ray.origin)},
-          {"direction", number(ray.direction)},
+          {"direction", number_json(ray.direction)},
           {"hit", ray.hit ? hit_json(tree, *ray.hit) : Json()},
-          {"color", number(ray.color)}};
+          {"color", number_json(ray.color)}};
 }
 
 Json tree_json(const Explanation& e) {
   if (e.trees.size() == 1) return ray_json(e.trees.front(), 0);
-  Json json = {{"kind", "mean"}, {"corners", Json::array()}, {"color", number(e.color)}};
+  Json json = {{"kind", "mean"}, {"corners", Json::array()}, {"color", number_json(e.color)}};
   for (const RayTree& tree : e.trees) json["corners"].push_back(ray_json(tree, 0));
   return json;
 }
@@ -171,13 +152,13 @@ std::string to_json(const Explanation& e, const std::string& scene, const std::s
                  {"reflection", e.terms.reflection},
                  {"refraction", e.terms.refraction}}},
                {"mistake", e.varied ? Json(e.varied->key) : Json()},
-               {"background", number(e.background)},
-               {"ambient_light", number(e.ambient_light)},
+               {"background", number_json(e.background)},
+               {"ambient_light", number_json(e.ambient_light)},
                {"lights", Json::array()}};
   for (const ExplainedLight& light : e.lights)
     json["lights"].push_back(
-        {{"position", point_json(light.position)}, {"color", number(light.color)}});
-  json["color"] = number(e.color);
+        {{"position", point_json(light.position)}, {"color", number_json(light.color)}});
+  json["color"] = number_json(e.color);
   json["bytes"] = Json::array();
   for (const float c : e.color) json["bytes"].push_back(quantize(c, e.profile.transfer, 8));
   json["words"] = words;

@@ -5,6 +5,7 @@
 
 #include "core/text.hpp"
 #include "shapes/shapes.hpp"
+#include "textures/kinds.hpp"
 
 namespace zraka {
 namespace {
@@ -22,6 +23,19 @@ constexpr const char* kPlainNames[] = {
 #undef ZRAKA_NAME
 };
 
+constexpr const TextureCode* kTextures[] = {
+#define ZRAKA_ADDRESS(kind) &texture_kinds::kind,
+    ZRAKA_TEXTURES(ZRAKA_ADDRESS)
+#undef ZRAKA_ADDRESS
+};
+
+std::string label_of(Language language, const NamedShape& shape, const ExplainedPath& path,
+                     Case form) {
+  if (!path.inner) return label_of(language, shape, form);
+  return say(language, Word::shape_in_instance, label_of(language, *path.inner, form),
+             label_of(language, shape, Case::locative));
+}
+
 }  // namespace
 
 std::string plain_name(const ShapeId& id) {
@@ -37,6 +51,22 @@ std::string label_of(Language language, const NamedShape& shape, Case form) {
                                   std::uint64_t{shape.id.index} + 1);
   if (!shape.name.empty()) label += fmt::format(" '{}'", shown_line(shape.name));
   return label;
+}
+
+std::string label_of(Language language, const ExplainedHit& hit, Case form) {
+  return label_of(language, hit.shape, hit.path, form);
+}
+
+std::string label_of(Language language, const Blocker& blocker, Case form) {
+  return label_of(language, blocker.shape, blocker.path, form);
+}
+
+std::string position_of(const ExplainedMember& member) {
+  return fmt::format("{}", fmt::join(member.position, "."));
+}
+
+std::string_view noun_of(Language language, TextureKind kind) {
+  return kTextures[static_cast<int>(kind)]->nouns[static_cast<int>(language)];
 }
 
 std::string_view text_of(Language language, Stage stage) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What shapes, stages and mistakes are called.
+// What shapes, textures, stages and mistakes are called.
 #pragma once
 
 #include <string>
@@ -20,6 +20,15 @@ std::string_view noun_of(Language language, std::int32_t kind, Case form = Case:
 
 /// "sphere 3 'green'", "kuglu 3 'green'".
 std::string label_of(Language language, const NamedShape& shape, Case form = Case::nominative);
+/// The same of what a ray hits; of a shape in groups "box 2 in instance 1 'left'".
+std::string label_of(Language language, const ExplainedHit& hit, Case form = Case::nominative);
+std::string label_of(Language language, const Blocker& blocker, Case form = Case::nominative);
+
+/// A member's place in its expression: "2", or "1.2" for the second of the first.
+std::string position_of(const ExplainedMember& member);
+
+/// "checker", "šahovnica".
+std::string_view noun_of(Language language, TextureKind kind);
 
 /// "stage 5: shadows".
 std::string_view text_of(Language language, Stage stage);

@@ -131,10 +131,28 @@
       line(classes, () => edges.map(corner), false);
     label(s.label, () => plus(s.lower, minus(s.upper, s.lower), 0.5), -5);
   };
+  // Of a plane the part that is nearest to the middle.
+  const addPlane = (s, classes) => {
+    const n = unit(s.normal);
+    const foot = plus(middle, n, dot(minus(s.point, middle), n));
+    const a = unit(cross(n, Math.abs(dot(n, right)) < 0.9 ? right : up));
+    const b = cross(n, a);
+    const on = (u, v) => plus(plus(foot, a, u * reach), b, v * reach);
+    for (let i = -3; i <= 3; ++i) {
+      line(`${classes} thin`, () => [on(i / 2, -1.5), on(i / 2, 1.5)], false);
+      line(`${classes} thin`, () => [on(-1.5, i / 2), on(1.5, i / 2)], false);
+    }
+    label(s.label, () => on(-1.1, 1.1), -5);
+  };
   for (const s of data.shapes) {
     const classes = s.met ? 'outline met' : 'outline';
-    if (s.center ? finite([...s.center, s.radius]) : finite([...s.lower, ...s.upper]))
-      (s.center ? addSphere : addBox)(s, classes);
+    if (s.center) {
+      if (finite([...s.center, s.radius])) addSphere(s, classes);
+    } else if (s.normal) {
+      if (finite([...s.point, ...s.normal])) addPlane(s, classes);
+    } else if (s.lower && finite([...s.lower, ...s.upper])) {
+      addBox(s, classes);
+    }
   }
 
   // Eye, window and lights.

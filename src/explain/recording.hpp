@@ -13,15 +13,18 @@ namespace zraka {
 /// at_hits, at_light, at_children and at_fold that Recording asks for.
 class RecordedTerms {
  public:
+  /// With `paths` also the ways to what shadow rays hit, through instances and CSG.
   template <class Reader>
-  RecordedTerms(std::int32_t batch, Reader& reader)
+  RecordedTerms(std::int32_t batch, Reader& reader, bool paths = false)
       : stride_(static_cast<std::size_t>(batch) + kArrayPadding),
         values_((static_cast<std::size_t>(Quantity::count) + 1) * stride_),
-        blockers_(stride_) {
+        blockers_(stride_),
+        blocker_paths_(paths ? stride_ : 0) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(Quantity::count); ++i)
       recording_.terms[i] = values_.data() + i * stride_;
     recording_.blocker_t = values_.data() + static_cast<std::size_t>(Quantity::count) * stride_;
     recording_.blocker = blockers_.data();
+    recording_.blocker_path = paths ? blocker_paths_.data() : nullptr;
     recording_.reader = &reader;
     recording_.at_hits = [](void* me, const Level<float>& level, const Scratch<float>& scratch) {
       static_cast<Reader*>(me)->at_hits(level, scratch);
@@ -57,23 +60,17 @@ class RecordedTerms {
     return recording_.blocker_t[i] < scratch.sdistance[i] ? blockers_[i] : -1;
   }
   float blocker_distance(std::size_t i) const { return recording_.blocker_t[i]; }
+  /// nullptr where a scene has no bodies: then a slot says all.
+  const HitPath* blocker_path(std::size_t i, const FrozenScene<float>& scene) const {
+    return scene.bodies.count > 0 && !blocker_paths_.empty() ? &blocker_paths_[i] : nullptr;
+  }
 
  private:
   std::size_t stride_;
   std::vector<float> values_;
   std::vector<std::int32_t> blockers_;
+  std::vector<HitPath> blocker_paths_;
   Recording<float> recording_{};
 };
-
-/// Which of the scene's shapes a slot holds.
-inline ShapeId shape_in_slot(const FrozenScene<float>& scene, std::int32_t slot) {
-#define ZRAKA_IF(Type, plural)                                                                    \
-  if (const std::int32_t at = slot - scene.plural.first_slot; at >= 0 && at < scene.plural.count) \
-    return {kind_as_read(kKindOf##Type),                                                          \
-            static_cast<std::uint32_t>(scene.plural.id[at] - scene.plural.first_id)};
-  ZRAKA_KINDS(ZRAKA_IF)
-#undef ZRAKA_IF
-  return {};
-}
 
 }  // namespace zraka

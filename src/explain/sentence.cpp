@@ -80,8 +80,10 @@ class Speaker {
   std::string say(Word word, const Values&... values) const {
     return zraka::say(lang_, word, values...);
   }
-  std::string label(const NamedShape& shape, Case form) const {
-    return label_of(lang_, shape, form);
+  /// A hit, or what blocks a light.
+  template <class Hit>
+  std::string label(const Hit& hit, Case form) const {
+    return label_of(lang_, hit, form);
   }
   const ExplainedRay& ray(std::size_t r) const { return e_.trees[s_.tree].rays[r]; }
   const ExplainedRay& main_ray() const { return ray(s_.main.ray); }
@@ -124,7 +126,7 @@ std::string Speaker::why_unlit(const ExplainedHit& hit, bool after_because) cons
     const LightTerms& at = hit.lights[i];
     const std::string reason =
         at.blocker ? say(Word::say_blocked, light_number(i),
-                         label(at.blocker->shape, Case::accusative), shorter(at.blocker->distance))
+                         label(*at.blocker, Case::accusative), shorter(at.blocker->distance))
                    : say(i == 0 && after_because ? Word::say_behind_because : Word::say_behind,
                          light_number(i));
     reasons = reasons.empty() ? reason : say(Word::say_and, reasons, reason);
@@ -141,10 +143,10 @@ std::string Speaker::by_the_way() const {
   std::string text;
   for (std::size_t i = 0; i < way.size() && i < kNamed; ++i) {
     const ExplainedRay& step = ray(way[i]);
-    const NamedShape& shape = ray(static_cast<std::size_t>(step.parent)).hit->shape;
+    const ExplainedHit& hit = *ray(static_cast<std::size_t>(step.parent)).hit;
     const std::string name =
         say(step.kind == RayKind::reflected ? Word::say_by_reflected : Word::say_by_refracted,
-            label(shape, Case::genitive));
+            label(hit, Case::genitive));
     text = i == 0 ? name : say(Word::say_then, text, name);
   }
   return way.size() <= kNamed ? text : say(Word::say_by_many, text, way.size() - kNamed);
@@ -167,15 +169,15 @@ std::string Speaker::of_root() const {
   const std::string whole = percent(s_.of_main);
   switch (s_.main.source) {
     case Source::silhouette:
-      return toned(say(Word::say_silhouette, label(hit.shape, Case::accusative)), false);
+      return toned(say(Word::say_silhouette, label(hit, Case::accusative)), false);
     case Source::diffuse:
       return toned(say(Word::say_diffuse, whole, light_number(s_.main.light),
-                       label(hit.shape, Case::locative)) +
+                       label(hit, Case::locative)) +
                        rest(),
                    false);
     case Source::specular:
       return toned(say(Word::say_specular, whole, light_number(s_.main.light),
-                       label(hit.shape, Case::locative)) +
+                       label(hit, Case::locative)) +
                        rest(),
                    false);
     default:
@@ -183,7 +185,7 @@ std::string Speaker::of_root() const {
   }
   const std::string why = why_unlit(hit, is_dark());
   if (why.empty())
-    return toned(say(Word::say_ambient_most, whole, label(hit.shape, Case::genitive)) + rest(),
+    return toned(say(Word::say_ambient_most, whole, label(hit, Case::genitive)) + rest(),
                  false);
   return toned(s_.alone ? say(Word::say_only_ambient, why)
                         : say(Word::say_ambient_left, why, whole) + rest(),
@@ -196,7 +198,7 @@ std::string Speaker::of_child() const {
   if (!main_ray().hit) return toned(say(Word::say_from_background, share, by_the_way()), false);
   const ExplainedHit& hit = *main_ray().hit;
   const std::string from =
-      say(Word::say_from_shape, share, label(hit.shape, Case::genitive), by_the_way());
+      say(Word::say_from_shape, share, label(hit, Case::genitive), by_the_way());
   std::string there;
   if (s_.main.source == Source::ambient) {
     const std::string why = why_unlit(hit, false);
@@ -256,9 +258,9 @@ std::string Speaker::notes() const {
   }
   if (black.hit != nullptr)
     text += fmt::format(" {}", say(black.word, shorter(static_cast<double>(black.share)),
-                                   label(black.hit->shape, Case::genitive)));
+                                   label(*black.hit, Case::genitive)));
   if (cut.hit != nullptr)
-    text += fmt::format(" {}", say(cut.word, e_.max_depth, label(cut.hit->shape, Case::genitive),
+    text += fmt::format(" {}", say(cut.word, e_.max_depth, label(*cut.hit, Case::genitive),
                                    shorter(static_cast<double>(cut.share))));
   return text;
 }

@@ -18,13 +18,22 @@ Json point_json(const Vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-/// The outline of a shape: a sphere is its circle, anything else its bounds.
-Json outline(const Sphere& s) {
-  return {{"center", point_json(s.center)}, {"radius", s.radius}};
-}
+/// The outline of a shape: a sphere is its circle, a plane itself, anything else its bounds;
+/// nothing of what has none.
 template <class Shape>
 Json outline(const Whereabouts& where, const Object<Shape>& object) {
-  if constexpr (std::is_same_v<Shape, Sphere>) return outline(object.shape);
+  if constexpr (std::is_same_v<Shape, Sphere>)
+    return {{"center", point_json(object.shape.center)}, {"radius", object.shape.radius}};
+  if constexpr (std::is_same_v<Shape, Plane>) {
+    const Transform t = where.transform(object.transform);
+    const auto normal = vector_of(object.shape.normal);
+    // Gradients go to the world by the transposed inverse.
+    const Transform own = inverse(t).value_or(Transform());
+    return {{"point", point_json(moved(object.shape.point, t))},
+            {"normal",
+             {dot(vector_of(own.along_x), normal), dot(vector_of(own.along_y), normal),
+              dot(vector_of(own.along_z), normal)}}};
+  }
   const Bounds box = where.bounds(object);
   if (!box.bounded()) return Json::object();
   return {{"lower", point_json(box.lower)}, {"upper", point_json(box.upper)}};
@@ -44,7 +53,8 @@ std::map<ShapeId, std::string> hit_shapes(const Explanation& explanation) {
 }
 
 template <class Shape>
-void add_shapes(Language language, const Whereabouts& where, const std::vector<Object<Shape>>& objects, std::int32_t kind,
+void add_shapes(Language language, const Whereabouts& where,
+                const std::vector<Object<Shape>>& objects, std::int32_t kind,
                 const std::map<ShapeId, std::string>& hit_shapes_by_id, bool all, Json& shapes) {
   const auto add = [&](std::uint32_t index, const std::string* name) {
     Json shape = outline(where, objects[index]);

@@ -6,6 +6,7 @@
 #include "explain/formulas.hpp"
 #include "explain/names.hpp"
 #include "explain/sentence.hpp"
+#include "explain/surface_words.hpp"
 
 namespace zraka {
 namespace {
@@ -24,8 +25,10 @@ class Writer {
   std::string say(Word word, const Values&... values) const {
     return zraka::say(options_.language, word, values...);
   }
-  std::string label(const NamedShape& shape, Case form) const {
-    return label_of(options_.language, shape, form);
+  /// A hit, or what blocks a light.
+  template <class Hit>
+  std::string label(const Hit& hit, Case form) const {
+    return label_of(options_.language, hit, form);
   }
   template <class Value>
   std::string short_number(Value v) const {
@@ -45,6 +48,7 @@ class Writer {
   }
   void ray(const RayTree& tree, std::size_t r, const std::string& lead);
   void hit(const RayTree& tree, const ExplainedRay& ray, const std::string& lead);
+  void textures(const ExplainedHit& hit, const std::string& lead);
   void light(const ExplainedHit& hit, std::size_t i, const std::string& lead);
   void snell(const ExplainedHit& hit, const std::string& lead);
   void child(const RayTree& tree, const Child& child, RayKind kind, const ExplainedHit& hit,
@@ -70,6 +74,14 @@ std::string Writer::swatch(const Float3& color) const {
   return fmt::format("\x1b[48;2;{};{};{}m  \x1b[0m ", byte(0), byte(1), byte(2));
 }
 
+/// The coefficients that textures give.
+void Writer::textures(const ExplainedHit& hit, const std::string& lead) {
+  for (const TextureWords& words : texture_words(options_.language, hit))
+    line(lead, fmt::format("{}: {} = {}", words.texture, fmt::join(words.symbols, " = "),
+                           is_color(words.coefficient) ? short_vector(words.value)
+                                                       : short_number(words.value[0])));
+}
+
 /// One light: the way to it, then its two terms.
 void Writer::light(const ExplainedHit& hit, std::size_t i, const std::string& lead) {
   const LightTerms& at = hit.lights[i];
@@ -92,7 +104,7 @@ void Writer::light(const ExplainedHit& hit, std::size_t i, const std::string& le
     case Reach::blocked:
       line(lead,
            fmt::format("  {}", in(Style::shadow, say(Word::reach_blocked,
-                                                     label(at.blocker->shape, Case::accusative),
+                                                     label(*at.blocker, Case::accusative),
                                                      short_number(at.blocker->distance)))));
       break;
   }
@@ -133,14 +145,17 @@ void Writer::snell(const ExplainedHit& hit, const std::string& lead) {
 
 void Writer::hit(const RayTree& tree, const ExplainedRay& ray, const std::string& lead) {
   const ExplainedHit& hit = *ray.hit;
-  line(lead, say(Word::meets, in(Style::strong, label(hit.shape, Case::accusative)),
+  line(lead, say(Word::meets, in(Style::strong, label(hit, Case::accusative)),
                  short_number(hit.distance), short_vector(hit.point)));
+  for (const std::string& more : place_lines(options_.language, hit)) line(lead, "  " + more);
   line(lead, say(Word::normal, short_vector(hit.normal)) +
                  (hit.flipped ? fmt::format(", {}", say(Word::normal_turned)) : ""));
+  if (hit.bent) line(lead, "  " + bent_line(options_.language, hit));
   if (e_.terms.silhouette) {
     line(lead, fmt::format("{}: {}", say(Word::silhouette), short_vector(hit.local)));
     return;
   }
+  textures(hit, lead);
   if (e_.terms.ambient)
     line(lead,
          fmt::format("{}: Ia·ka = {}·{} = {}", say(Word::ambient), short_vector(e_.ambient_light),

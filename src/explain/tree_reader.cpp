@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "explain/hit_reader.hpp"
 #include "render/workspace.hpp"
 
 namespace zraka {
@@ -21,8 +22,9 @@ class TreeReader {
   TreeReader(const Stand& stand, const TraceSettings& settings, std::int32_t batch)
       : stand_(stand),
         settings_(settings),
-        workspace_(batch, settings.max_depth, true),
-        terms_(batch, *this),
+        hit_reader_(stand.scene, *stand.prepared.store, stand.prepared.frame),
+        workspace_(batch, settings.max_depth, true, true),
+        terms_(batch, *this, true),
         first_(static_cast<std::size_t>(settings.max_depth) + 2) {}
 
   /// False if the tree does not fit.
@@ -66,6 +68,7 @@ class TreeReader {
 
   const Stand& stand_;
   const TraceSettings& settings_;
+  HitReader hit_reader_;
   WorkspaceMemory<float> workspace_;
   RecordedTerms terms_;
   RayTree tree_;
@@ -102,6 +105,7 @@ ExplainedHit TreeReader::surface(const Level<float>& level, const Scratch<float>
   hit.ambient = {level.hits.r[h], level.hits.g[h], level.hits.b[h]};
   hit.reflected.absence = absence(hit.k1, settings_.terms.reflection);
   hit.refracted.absence = absence(hit.k2, settings_.terms.refraction);
+  hit_reader_.read(level, s, h, ray, hit);
   return hit;
 }
 
@@ -149,7 +153,8 @@ void TreeReader::at_light(std::int32_t light, std::size_t shadow_rays, const Lev
     const std::int32_t blocker = terms_.blocker(i, s);
     at.reach = blocker < 0 ? Reach::lit : Reach::blocked;
     if (blocker >= 0)
-      at.blocker = {stand_.named(blocker), stand_.length(terms_.blocker_distance(i))};
+      at.blocker = {stand_.named(blocker), stand_.length(terms_.blocker_distance(i)),
+                    hit_reader_.path(terms_.blocker_path(i, stand_.frozen()))};
     shadow_rays_disagree_ = shadow_rays_disagree_ || (blocker < 0) != (s.lit[h] > 0);
   }
   for (std::size_t h = 0; h < hits; ++h) {

@@ -8,6 +8,7 @@
 
 #include "explain/recording.hpp"
 #include "explain/roundest.hpp"
+#include "explain/shape_lookup.hpp"
 #include "render/isa.hpp"
 #include "render/prepare.hpp"
 #include "render/variation.hpp"
@@ -25,9 +26,7 @@ struct Stand {
 
   const FrozenScene<float>& frozen() const { return prepared.store->scene; }
   NamedShape named(std::int32_t slot) const {
-    const ShapeId id = shape_in_slot(frozen(), slot);
-    const auto name = scene.names.find(id);
-    return {id, name == scene.names.end() ? std::string() : name->second};
+    return zraka::named(scene, shape_in_slot(scene, frozen(), slot));
   }
   /// A point in the world. Of all that the engine's floats may stand for, the roundest numbers:
   /// an eye at 0 is printed as 0.

@@ -16,6 +16,7 @@ struct ScalarDoubles {
   static ZRAKA_INLINE F load_reals(const double* p) { return *p; }
   static ZRAKA_INLINE F load_reals(const float* p) { return static_cast<double>(*p); }
   static ZRAKA_INLINE void store(F v, double* p) { *p = v; }
+  static ZRAKA_INLINE void store_reals(F v, double* p) { *p = v; }
   static ZRAKA_INLINE F gather(const double* base, const std::int32_t* index) {
     return base[*index];
   }
@@ -118,6 +119,11 @@ struct WideDoubles {
     return hn::PromoteTo(wide::dd, hn::LoadU(hn::Rebind<float, wide::Dd>(), p));
   }
   static ZRAKA_INLINE void store(F v, double* p) { hn::StoreU(v.v, wide::dd, p); }
+  /// Rounded to float.
+  static ZRAKA_INLINE void store_reals(F v, float* p) {
+    const hn::Rebind<float, wide::Dd> floats;
+    hn::StoreU(hn::DemoteTo(floats, v.v), floats, p);
+  }
   /// base[index[i]] in lane i.
   static ZRAKA_INLINE F gather(const double* base, const std::int32_t* index) {
     const hn::RebindToSigned<wide::Dd> wide_index;

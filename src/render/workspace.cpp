@@ -29,7 +29,7 @@ class Layout {
 
 template <class R>
 void place_all(Layout& layout, Level<R>* levels, int level_count, Scratch<R>& s,
-               std::size_t batch, bool textured) {
+               std::size_t batch, bool textured, bool recorded) {
   layout.place(batch, s.t, s.px, s.py, s.pz, s.nx, s.ny, s.nz, s.vx, s.vy, s.vz, s.offset, s.inside,
                s.lx, s.ly, s.lz, s.lit);
   layout.place(batch, s.sox, s.soy, s.soz, s.sdx, s.sdy, s.sdz, s.sdistance);
@@ -40,6 +40,7 @@ void place_all(Layout& layout, Level<R>* levels, int level_count, Scratch<R>& s,
     layout.place(batch, s.paths);
     layout.place(batch, s.details);
   }
+  if (recorded) layout.place(batch, s.smooth_x, s.smooth_y, s.smooth_z);
   for (int i = 0; i < level_count; ++i) {
     RayArrays<R>& rays = levels[i].rays;
     layout.place(2 * batch, rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, rays.r, rays.g,
@@ -59,15 +60,18 @@ void WorkspaceMemory<R>::Free::operator()(std::byte* p) const {
 }
 
 template <class R>
-WorkspaceMemory<R>::WorkspaceMemory(std::int32_t batch, int max_depth, bool textured)
+WorkspaceMemory<R>::WorkspaceMemory(std::int32_t batch, int max_depth, bool textured,
+                                    bool recorded)
     : levels_(std::make_unique<Level<R>[]>(static_cast<std::size_t>(max_depth) + 1)) {
   const auto size = static_cast<std::size_t>(batch);
   Layout sizes(nullptr);
-  place_all(sizes, levels_.get(), max_depth + 1, workspace_.scratch, size, textured);
+  place_all(sizes, levels_.get(), max_depth + 1, workspace_.scratch, size, textured,
+            recorded);
   memory_.reset(
       static_cast<std::byte*>(::operator new[](sizes.used(), std::align_val_t{kCacheLine})));
   Layout layout(memory_.get());
-  place_all(layout, levels_.get(), max_depth + 1, workspace_.scratch, size, textured);
+  place_all(layout, levels_.get(), max_depth + 1, workspace_.scratch, size, textured,
+            recorded);
   if (textured)
     for (std::int32_t i = 0; i < batch; ++i) workspace_.scratch.own_row[i] = i;
   workspace_.levels = levels_.get();

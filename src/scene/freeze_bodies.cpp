@@ -170,9 +170,9 @@ void freeze_bodies(const Scene&, const ShapeLists& shapes, const Whereabouts& wh
 }
 
 void reorder_bodies(const std::int32_t* order, BodyStore& store, FrozenBodies& out) {
+  if (order == nullptr) return;
   store.bounds = {};
   out.bounds = nullptr;
-  if (order == nullptr) return;
   const auto bounded = static_cast<std::size_t>(out.bounded);
   const auto reorder = [&](auto& column) {
     const auto before = column;

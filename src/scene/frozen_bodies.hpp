@@ -30,7 +30,7 @@ struct FrozenBodies {
   const std::int32_t* material;   ///< -1: that of the whole that it is a part of
   const std::int32_t* transform;  ///< as Object::transform
   const std::int32_t* id;         ///< as FrozenShapes::id; not of members
-  const Bounds* bounds;  ///< in the engine's frame, of those in the hierarchy until it is built
+  const Bounds* bounds;  ///< in the engine's frame, of bounded ones until the hierarchy has them
   std::int32_t count;             ///< without the members
   std::int32_t bounded;           ///< so many stand in the hierarchy
   std::int32_t first_slot;

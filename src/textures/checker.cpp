@@ -21,6 +21,6 @@ TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
 
 }  // namespace
 
-const TextureCode texture_kinds::checker = {value, nullptr};
+const TextureCode texture_kinds::checker = {value, nullptr, {"checker", "šahovnica"}};
 
 }  // namespace zraka

@@ -24,6 +24,6 @@ void prepare(const Texture&, PreparedTexture& texture) {
 
 }  // namespace
 
-const TextureCode texture_kinds::gradient = {value, prepare};
+const TextureCode texture_kinds::gradient = {value, prepare, {"gradient", "prijelaz boja"}};
 
 }  // namespace zraka

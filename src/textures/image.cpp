@@ -130,6 +130,6 @@ void prepare(const Texture& described, PreparedTexture& texture) {
 
 }  // namespace
 
-const TextureCode texture_kinds::image = {value, prepare};
+const TextureCode texture_kinds::image = {value, prepare, {"image", "slika"}};
 
 }  // namespace zraka

@@ -12,6 +12,8 @@ struct TextureCode {
   /// Makes what value() wants to have ready; the plain fields are in `texture` already. May be
   /// none.
   void (*prepare)(const Texture& described, PreparedTexture& texture);
+  /// What people call it, in English and in Croatian.
+  const char* nouns[2];
 };
 
 namespace texture_kinds {

@@ -23,6 +23,6 @@ void prepare(const Texture&, PreparedTexture& texture) {
 
 }  // namespace
 
-const TextureCode texture_kinds::marble = {value, prepare};
+const TextureCode texture_kinds::marble = {value, prepare, {"marble", "mramor"}};
 
 }  // namespace zraka

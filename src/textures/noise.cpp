@@ -22,6 +22,6 @@ void prepare(const Texture&, PreparedTexture& texture) {
 
 }  // namespace
 
-const TextureCode texture_kinds::noise = {value, prepare};
+const TextureCode texture_kinds::noise = {value, prepare, {"noise", "šum"}};
 
 }  // namespace zraka

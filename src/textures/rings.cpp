@@ -18,6 +18,6 @@ void prepare(const Texture&, PreparedTexture& texture) {
 
 }  // namespace
 
-const TextureCode texture_kinds::rings = {value, prepare};
+const TextureCode texture_kinds::rings = {value, prepare, {"rings", "prstenovi"}};
 
 }  // namespace zraka

@@ -13,6 +13,6 @@ TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
 
 }  // namespace
 
-const TextureCode texture_kinds::stripes = {value, nullptr};
+const TextureCode texture_kinds::stripes = {value, nullptr, {"stripes", "pruge"}};
 
 }  // namespace zraka

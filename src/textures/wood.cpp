@@ -22,6 +22,6 @@ void prepare(const Texture&, PreparedTexture& texture) {
 
 }  // namespace
 
-const TextureCode texture_kinds::wood = {value, prepare};
+const TextureCode texture_kinds::wood = {value, prepare, {"wood", "drvo"}};
 
 }  // namespace zraka

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/phrase.hpp"
+#include "explain/shape_lookup.hpp"
 #include "explain/tile_listeners.hpp"
 #include "image/alter.hpp"
 #include "school/report/listener.hpp"
@@ -46,9 +47,8 @@ class Measurement {
   void note_seen(const RayTally& tally);
 
   ShapePixels shape_pixels(std::int32_t slot, std::uint64_t pixels) const {
-    const ShapeId id = shape_in_slot(frozen(), slot);
-    const auto name = scene_.names.find(id);
-    return {{id, name == scene_.names.end() ? "" : name->second}, material_of(scene_, id), pixels};
+    const ShapeId id = shape_in_slot(scene_, frozen(), slot);
+    return {named(scene_, id), material_of(scene_, id), pixels};
   }
   static void most_first(std::vector<ShapePixels>& shapes) {
     std::sort(shapes.begin(), shapes.end(), [](const ShapePixels& a, const ShapePixels& b) {
