@@ -119,6 +119,11 @@ TEST(CheckBodies, FindsMembersOfCsgThatAreNoClosedBodies) {
             "csg 1: member 2: ellipsoid: its radii are not finite numbers above 0\n");
   EXPECT_EQ(with({Plane{}, 7}), "csg 1: member 2: it has material 7, but there are 1\n");
   EXPECT_EQ(with({Plane{}, 0, 2}), "csg 1: member 2: it has transform 2, but there are 1\n");
+  EXPECT_EQ(with({Frustum{{}, 1, {0, 1, 0}, 1, false}}),
+            "csg 1: member 2: frustum: without caps it has no inside\n");
+  EXPECT_EQ(with({Quadric{}}), "");
+  EXPECT_EQ(with({Quadric{.max = {0.5, 1, 1}}}),
+            "csg 1: member 2: quadric: its box cuts its surface off, so it has no inside\n");
   EXPECT_EQ(with({Csg{}}), "csg 1: member 2: it has no members\n");
   EXPECT_EQ(with({Csg{CsgOperation::unite, {{Instance{}}}}}),
             "csg 1: member 2: member 1: instance is no closed body\n");

@@ -250,6 +250,10 @@ TEST(LanguageCsg, SaysWhatIsWrongWithMembers) {
   EXPECT_EQ(first_answer(head + "of = [{kind = \"sphere\", center = [0, 0, 0], radius = 1, "
                                 "material = \"x\"}]\n"),
             "s.toml:3:68: error: unknown material 'x'");
+  EXPECT_EQ(
+      first_answer(head + "of = [{kind = \"quadric\", coefficients = [1, 1, 1, 0, 0, 0, 0, 0, 0, "
+                          "-1], min = [-1, -1, -1], max = [1, 1, 0.5]}]\n"),
+      "s.toml:3:7: error: quadric: its box cuts its surface off, so it has no inside");
   // All problems are told, those of members too.
   EXPECT_EQ(answer_to(head + "material = \"none\"\nof = [{kind = \"spher\"}]\n"),
             "s.toml:3:12: error: unknown material 'none'\n"

@@ -75,8 +75,9 @@ void add_body(Item& item, std::vector<Object<Body>> ShapeLists::*list, ShapeList
               const Body& body) {
   CommonEntry& common = common_of(item);
   const Transform transform = transform_of(item);
-  if (const std::string problem = problem_of(body, transform); !problem.empty())
-    return refuse(item, ShapeTraits<Body>::kName, problem);
+  std::string problem = problem_of(body, transform);
+  if (problem.empty() && common.place.members != nullptr) problem = problem_of_member(body);
+  if (!problem.empty()) return refuse(item, ShapeTraits<Body>::kName, problem);
   const std::uint32_t index = index_of(transform, item.input);
   if (common.place.members != nullptr)
     common.place.members->push_back({body, common.material_index, index, common.name});

@@ -23,6 +23,7 @@
   X(cone)                    \
   X(capsule)                 \
   X(torus)                   \
+  X(quadric)                 \
   X(triangle)                \
   X(polygon)                 \
   X(height_field)            \
@@ -35,7 +36,7 @@
 namespace zraka::language {
 
 /// Kinds of the language that are not built yet.
-inline constexpr std::string_view kShapesNotBuilt[] = {"quadric", "superellipsoid"};
+inline constexpr std::string_view kShapesNotBuilt[] = {"superellipsoid"};
 
 namespace shape {
 #define ZRAKA_DECLARE(name) extern const Kind name;

@@ -140,9 +140,8 @@ class Checker {
     } else if constexpr (!ShapeTraits<Shape>::kClosed) {
       return fmt::format("{} is no closed body", ShapeTraits<Shape>::kName);
     } else {
-      if constexpr (requires { shape.caps; })
-        if (!shape.caps) return "without caps it is no closed body";
-      const std::string problem = problem_of(shape, Transform{});
+      std::string problem = problem_of(shape, Transform{});
+      if (problem.empty()) problem = zraka::problem_of_member(shape);
       return problem.empty() ? "" : fmt::format("{}: {}", ShapeTraits<Shape>::kName, problem);
     }
   }

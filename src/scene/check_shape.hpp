@@ -48,4 +48,12 @@ std::string problem_of(const Body& body, const Transform& transform) {
   }
 }
 
+/// What besides is wrong with a body as a member of CSG.
+template <class Body>
+std::string problem_of_member(const Body& body) {
+  if constexpr (requires { ShapeTraits<Body>::check_member(body); })
+    if (const char* const problem = ShapeTraits<Body>::check_member(body)) return problem;
+  return "";
+}
+
 }  // namespace zraka
