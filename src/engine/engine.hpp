@@ -84,7 +84,7 @@ struct Scratch {
   std::int32_t* own_row;  ///< scene has no textures: 0, 1, 2…
   HitPath* paths;
   HitDetail* details;
-  R *smooth_x, *smooth_y, *smooth_z;  ///< normals before textures bend them; nullptr unless recorded
+  R *smooth_x, *smooth_y, *smooth_z;  ///< normals before textures bend them, where recorded
   R *lx, *ly, *lz;  ///< unit direction to the light at hand
   R* lit;           ///< 1 where the light at hand reaches the hit, else 0
   R *sox, *soy, *soz, *sdx, *sdy, *sdz, *sdistance;  ///< by shadow ray
