@@ -66,7 +66,7 @@ std::string good_value(const Field& field, int number) {
       return "[" + all + "]";
     }
     case FieldKind::colors:
-      return "[0, [1, 0.5, 0], \"#123456\"]";
+      return about.most > 2 ? "[0, [1, 0.5, 0], \"#123456\"]" : "[0.5, \"#123456\"]";
     case FieldKind::numbers: {
       std::vector<int> numbers(about.fewest, 1);
       return fmt::format("[{}]", fmt::join(numbers, ", "));
@@ -136,6 +136,7 @@ std::vector<std::string> bad_values(const Field& field) {
       break;
     }
     case FieldKind::colors:
+      if (field.about.most == 2) bad.push_back("[1, 1, 1]");
       bad.insert(bad.end(), {"1", "[1]", "[1, [1, 2]]", "[1, [-1, 0, 0]]", "[1, inf]"});
       break;
     case FieldKind::numbers: {

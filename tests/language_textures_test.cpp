@@ -92,7 +92,7 @@ TEST(LanguageTextures, SayWhatIsWrong) {
   EXPECT_EQ(first_answer("[texture.t]\nkind = \"cheker\"\n"),
             "s.toml:2:8: error: unknown kind 'cheker' of texture");
   EXPECT_EQ(first_answer("[texture.t]\nkind = \"checker\"\ncolors = [1]\n"),
-            "s.toml:3:10: error: colors of checker is [1]: expected 2 or more colours in brackets: "
+            "s.toml:3:10: error: colors of checker is [1]: expected 2 colours in brackets: "
             "[r, g, b], each 0 or more, one number for grey, or \"#rrggbb\"");
   EXPECT_EQ(first_answer("[material.a]\ndiffuse = {kind = \"checker\", size = 0}\n"),
             "s.toml:2:37: error: size of checker is 0: expected a number greater than 0");
@@ -107,7 +107,7 @@ TEST(LanguageTextures, SayWhatIsWrong) {
 
 TEST(LanguageTextures, AreWrittenSoThatTheyReadAsTheEqualScene) {
   expect_rewritten(
-      "[texture.\"a b\"]\nkind = \"checker\"\ncolors = [1, \"#123456\", 0]\n"
+      "[texture.\"a b\"]\nkind = \"noise\"\ncolors = [1, \"#123456\", 0]\n"
       "[texture.texture_5]\nkind = \"stripes\"\ndirection = [1, 2, 3]\nsize = 0.1\n"
       "[texture.c]\nkind = \"gradient\"\nwrap = \"mirror\"\nmapping = \"uv\"\n"
       "[texture.d]\nkind = \"rings\"\nturbulence = 0.5\noctaves = 7\nseed = 4294967295\n"

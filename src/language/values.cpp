@@ -84,8 +84,7 @@ FieldValue uvs_of(const toml::Node& node) {
     for (std::size_t i = 0; i < 2; ++i) {
       if (!is_number(uv.children[i])) return {};
       const double number = uv.children[i].number;
-      if (!(std::fabs(number) <= static_cast<double>(std::numeric_limits<float>::max())))
-        return {};
+      if (!(std::fabs(number) <= static_cast<double>(std::numeric_limits<float>::max()))) return {};
       uvs[corner][i] = static_cast<float>(number);
     }
   }
@@ -106,7 +105,8 @@ struct Judge {
                        [&](const Vec3& point) { return in_range(point, about); });
   }
   bool operator()(const Colors& colors) const {
-    return colors.size() >= about.fewest && std::all_of(colors.begin(), colors.end(), *this);
+    return colors.size() >= about.fewest && colors.size() <= about.most &&
+           std::all_of(colors.begin(), colors.end(), *this);
   }
   bool operator()(const Numbers& numbers) const {
     return numbers.size() >= about.fewest && numbers.size() <= about.most &&

@@ -5,7 +5,8 @@ namespace zraka::language {
 namespace {
 
 constexpr Field kFields[] = {
-    texture_fields::colors("that of the cube from the origin to [size, size, size], and the other"),
+    texture_fields::colors("that of the cube from the origin to [size, size, size], and the other",
+                           2),
     texture_fields::size("the cubes' side"),
     texture_fields::mapping(),
     texture_fields::transform(),

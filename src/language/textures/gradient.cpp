@@ -7,7 +7,7 @@ namespace {
 constexpr Field kFields[] = {
     texture_fields::colors("evenly along it"),
     texture_fields::size("its length"),
-    texture_fields::direction("from the origin, where the first colour is, to the last"),
+    texture_fields::direction("the way from the first colour, at the origin, to the last"),
     texture_fields::wrap("what is beyond its end"),
     texture_fields::mapping(),
     texture_fields::transform(),
