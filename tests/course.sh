@@ -152,11 +152,15 @@ mistakes() {
   done
 }
 
+# in_order FOLDER: its chapters, 10 after 9.
+in_order() {
+  printf '%s\n' "$1"/*.md | sort -V
+}
 for language in en hr; do
   contents=$course/README.md
   [ $language = en ] || contents=$course/README.hr.md
-  chapters=("$course/$language/"*.md)
-  if [ $language = en ]; then others=("$course/hr/"*.md); else others=("$course/en/"*.md); fi
+  mapfile -t chapters < <(in_order "$course/$language")
+  if [ $language = en ]; then mapfile -t others < <(in_order $course/hr); else mapfile -t others < <(in_order $course/en); fi
   for page in "$contents" "${chapters[@]}"; do
     walk "$page" $language
     links "$page"
