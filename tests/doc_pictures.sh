@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # doc_pictures.sh PROGRAM: docs/shapes.md and docs/textures.md are what the program does. Each kind of the language has a
-# section with its keys and a picture; tables and pictures are byte for byte what docs/make_pictures.sh makes.
+# section with its keys and a picture; tables and pictures are byte for byte what docs/make_pictures.sh makes. So are the
+# pictures of the scenes in scenes/, whose files check finds no fault with.
 . "$(dirname "$0")/helpers.sh"
 
 cp -r docs "$folder/docs"
@@ -40,4 +41,11 @@ sections() {
 }
 sections docs/shapes.md '[[shape]]'
 sections docs/textures.md '[texture.NAME]'
+
+for scene in scenes/*.toml; do
+  name=$(basename "$scene" .toml)
+  exactly 0 "" "$zraka" check "$scene"
+  exactly 0 "" "$zraka" render "$scene" -o "$folder/$name.png"
+  cmp "$folder/$name.png" "docs/pictures/$name.png" || fail "docs/pictures/$name.png is not what $scene draws"
+done
 finish
