@@ -111,8 +111,8 @@ outline() {
   sed -n 's/ --lang hr$//; s/^    \.\/run /command /p' "$1"
   grep -oE 'pictures/[^")]*' "$1"
   grep -oE '`[a-z_]+\(\)`|\[src/[^]]*\]' "$1"
-  grep -E '^### ' "$1"
-  echo "$(grep -c '^## ' "$1") sections, $(grep -c '^|' "$1") rows, $(grep -c '^<details>' "$1") answers"
+  grep -E '^### `' "$1"
+  echo "$(grep -c '^## ' "$1") sections, $(grep -c '^### ' "$1") below them, $(grep -c '^|' "$1") rows, $(grep -c '^<details>' "$1") answers"
   echo "$(tr -cd '$' <"$1" | wc -c) signs of formulas, $(sed -n '/^```text/,/^```$/p' "$1" | wc -l) lines of quotations"
 }
 title() {
