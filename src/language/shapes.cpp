@@ -108,7 +108,7 @@ constexpr Family kShapeFamily = {
     .name = "shape",
     .default_kind = "",
     .kinds = kKinds,
-    .not_built = kShapesNotBuilt,
+    .not_built = {},
     .common = table_of<CommonEntry>("shape", "What every shape has.", kCommonFields),
     .prepare = prepare};
 

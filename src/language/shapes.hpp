@@ -24,6 +24,7 @@
   X(capsule)                 \
   X(torus)                   \
   X(quadric)                 \
+  X(superellipsoid)          \
   X(triangle)                \
   X(polygon)                 \
   X(height_field)            \
@@ -34,9 +35,6 @@
   X(instance)
 
 namespace zraka::language {
-
-/// Kinds of the language that are not built yet.
-inline constexpr std::string_view kShapesNotBuilt[] = {"superellipsoid"};
 
 namespace shape {
 #define ZRAKA_DECLARE(name) extern const Kind name;
