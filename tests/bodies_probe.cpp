@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "accel/body_rays.hpp"
+#include "math/double_power.hpp"
 
 namespace zraka::ZRAKA_ISA {
 namespace {
@@ -63,11 +64,29 @@ void cross(BodyType type, const double* numbers, const std::int32_t* start,
 #undef ZRAKA_CROSS
 }
 
+template <class Function>
+void each(const double* x, double* out, std::size_t count, const Function& function) {
+  alignas(64) double lanes[D::kWidth];
+  for (std::size_t first = 0; first < count; first += D::kWidth) {
+    const std::size_t some = std::min(D::kWidth, count - first);
+    std::fill_n(lanes, D::kWidth, 1.0);
+    std::copy_n(x + first, some, lanes);
+    D::store(function(D::load(lanes)), lanes);
+    std::copy_n(lanes, some, out + first);
+  }
+}
+void log2_of(const double* x, double* out, std::size_t count) {
+  each(x, out, count, [](F v) { return double_log2(v); });
+}
+void exp2_of(const double* x, double* out, std::size_t count) {
+  each(x, out, count, [](F v) { return double_exp2(v); });
+}
+
 }  // namespace
 
 BodiesProbe bodies_probe();
 BodiesProbe bodies_probe() {
-  return {{}, cross};
+  return {{}, cross, log2_of, exp2_of};
 }
 
 }  // namespace zraka::ZRAKA_ISA

@@ -25,6 +25,9 @@ struct BodiesProbe {
   /// Of ray i with the body of this type whose numbers begin at numbers + start[i].
   void (*cross)(BodyType type, const double* numbers, const std::int32_t* start,
                 const BodyProbeRay* rays, BodyCrossings* found, std::size_t count);
+  /// log2 of numbers above 0, and powers of 2.
+  void (*log2)(const double* x, double* out, std::size_t count);
+  void (*exp2)(const double* x, double* out, std::size_t count);
 };
 
 /// Those that this machine can run; the oracle last.

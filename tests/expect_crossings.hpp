@@ -38,6 +38,20 @@ void expect_spans(const Placed<Shape>& body, const Ray& ray, const BodyCrossings
   ASSERT_FALSE(Straying(body.truth, ray, side, error).between(last, far));
 }
 
+/// The same, where the residual has one least value along a ray: there it is inside, or nowhere.
+template <class Shape>
+void expect_convex_spans(const Placed<Shape>& body, const Ray& ray, const BodyCrossings& found) {
+  const Real error = body.error(ray.origin), far = far_from(body, ray);
+  const Real lowest = rises_at(
+      -far, far, [&](Real t) { return dot(body.truth.gradient(ray.at(t)), ray.direction); });
+  const std::size_t crossed = finite_ones(found).size();
+  if (body.truth.residual(ray.at(lowest)) < -error) {
+    ASSERT_EQ(crossed, 2u) << "inside at " << double(lowest);
+    ASSERT_TRUE(found.at[0] < lowest && lowest < found.at[1]) << "inside at " << double(lowest);
+  }
+  ASSERT_LE(crossed, 2u);
+}
+
 /// Wherever it surely goes through the surface there is a crossing.
 template <class Shape>
 void expect_throughs(const Placed<Shape>& body, const Ray& ray, const BodyCrossings& found) {
@@ -73,7 +87,9 @@ void expect_crossings(const Placed<Shape>& body, const std::vector<BodyProbeRay>
       ASSERT_LE(std::fabs(body.truth.residual(ray.at(t))), error) << "at " << double(t);
       ASSERT_LE(beyond(body.truth, ray.at(t)), error) << "at " << double(t);
     }
-    if (is_closed(body.shape))
+    if constexpr (requires { Truth<Shape>::kConvex; })
+      expect_convex_spans(body, ray, found[i]);
+    else if (is_closed(body.shape))
       expect_spans(body, ray, found[i]);
     else
       expect_throughs(body, ray, found[i]);

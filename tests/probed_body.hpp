@@ -128,6 +128,8 @@ template <class Shape>
 inline constexpr bool has_uv = true;
 template <>
 inline constexpr bool has_uv<Quadric> = false;
+template <>
+inline constexpr bool has_uv<Superellipsoid> = false;
 
 /// A body in a place.
 template <class Shape>

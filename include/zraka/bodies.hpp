@@ -121,17 +121,18 @@ struct Instance {
 }  // namespace zraka
 
 /// X(Type, plural): every body, in the order of their ids, after the shapes of ZRAKA_PRIMITIVES.
-#define ZRAKA_BODIES(X)            \
-  X(Ellipsoid, ellipsoids)         \
-  X(Plane, planes)                 \
-  X(Box, boxes)                    \
-  X(Frustum, frustums)             \
-  X(Torus, tori)                   \
-  X(Disc, discs)                   \
-  X(Parallelogram, parallelograms) \
-  X(Capsule, capsules)             \
-  X(Quadric, quadrics)             \
-  X(Csg, csgs)                     \
+#define ZRAKA_BODIES(X)              \
+  X(Ellipsoid, ellipsoids)           \
+  X(Plane, planes)                   \
+  X(Box, boxes)                      \
+  X(Frustum, frustums)               \
+  X(Torus, tori)                     \
+  X(Disc, discs)                     \
+  X(Parallelogram, parallelograms)   \
+  X(Capsule, capsules)               \
+  X(Quadric, quadrics)               \
+  X(Superellipsoid, superellipsoids) \
+  X(Csg, csgs)                       \
   X(Instance, instances)
 
 namespace zraka {

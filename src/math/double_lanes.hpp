@@ -110,6 +110,30 @@ ZRAKA_INLINE DoubleLanes abs(DoubleLanes a) {
   return hn::Abs(a.v);
 }
 
+/// Exponent and mantissa of a positive normal number: a = m·2^e with m in [√½, √2).
+ZRAKA_INLINE void split_exponent(DoubleLanes a, DoubleLanes& e, DoubleLanes& m) {
+  using wide::dd;
+  const hn::RebindToUnsigned<wide::Dd> du;
+  const auto bits = hn::BitCast(du, a.v), half_root = hn::Set(du, 0x3fe6a09e667f3bcdULL);  // √½
+  // With 2048 added to it, it is not negative, and the lowest bits of 2^52 and it.
+  const auto from_half = hn::Add(hn::Sub(bits, half_root), hn::Set(du, 0x8000000000000000ULL));
+  const auto exponent = hn::ShiftRight<52>(from_half);
+  const auto above = hn::BitCast(dd, hn::Or(exponent, hn::BitCast(du, hn::Set(dd, 0x1p52))));
+  e = hn::Sub(above, hn::Set(dd, 0x1p52 + 2048));
+  // These 2048 are where the sign is.
+  m = hn::Abs(hn::BitCast(dd, hn::Sub(bits, hn::ShiftLeft<52>(exponent))));
+}
+/// a·2^n for an integral n with both a and the result normal numbers.
+ZRAKA_INLINE DoubleLanes scale_by_power(DoubleLanes a, DoubleLanes n) {
+  const hn::RebindToUnsigned<wide::Dd> du;
+  // The lowest bits of 1.5·2^52 + n are n's.
+  const auto low = hn::BitCast(du, hn::Add(n.v, hn::Set(wide::dd, 0x1.8p52)));
+  return hn::BitCast(wide::dd, hn::Add(hn::BitCast(du, a.v), hn::ShiftLeft<52>(low)));
+}
+ZRAKA_INLINE DoubleLanes round_to_integer(DoubleLanes a) {
+  return hn::Round(a.v);
+}
+
 struct WideDoubles {
   using F = DoubleLanes;
   using M = DoubleMask;

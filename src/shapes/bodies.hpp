@@ -14,6 +14,7 @@
 #include "shapes/bodies/parallelogram.hpp"
 #include "shapes/bodies/plane.hpp"
 #include "shapes/bodies/quadric.hpp"
+#include "shapes/bodies/superellipsoid.hpp"
 #include "shapes/bodies/torus.hpp"
 
 namespace zraka {

@@ -10,4 +10,5 @@
 #include "truth/parallelogram.hpp"
 #include "truth/plane.hpp"
 #include "truth/quadric.hpp"
+#include "truth/superellipsoid.hpp"
 #include "truth/torus.hpp"

@@ -70,9 +70,7 @@ struct ShapeTraits<Quadric> {
     BodySurface s{form.gradient(p)};
     // There is none at the apex of a cone.
     if (!(dot(s.normal, s.normal) > 0)) s.normal = {0, 1, 0};
-    const AxisFrame frame = axis_frame(vec3_of(s.normal));
-    s.along_u = frame.z;
-    s.along_v = frame.x;
+    put_any_tangents(s);
     return s;
   }
 

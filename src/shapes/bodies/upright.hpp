@@ -34,6 +34,13 @@ inline AxisFrame axis_frame(const Vec3& axis) {
   return {cross(y, z), y, z};
 }
 
+/// Gives a surface that has no u and v any two tangents, unmirrored.
+inline void put_any_tangents(BodySurface& s) {
+  const AxisFrame frame = axis_frame(vec3_of(s.normal));
+  s.along_u = frame.z;
+  s.along_v = frame.x;
+}
+
 /// The transform of what stands on an axis at a point, of so many units a unit.
 inline Transform upright(const Vec3& point, const Vec3& axis, double scale) {
   const AxisFrame f = axis_frame(axis);
