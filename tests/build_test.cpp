@@ -76,7 +76,7 @@ TEST(Build, KeepsTheSetsOfANodesChildren) {
   EXPECT_GT(small, 0u);
 }
 
-float half_area(const BuildBounds& box) {
+float half_area(const Bounds& box) {
   const Vec3 size{box.upper.x - box.lower.x, box.upper.y - box.lower.y, box.upper.z - box.lower.z};
   return static_cast<float>(size.x * size.y + size.y * size.z + size.z * size.x);
 }
@@ -86,10 +86,10 @@ float half_area(const BuildBounds& box) {
 float cost_of(const BuiltHierarchy& built) {
   float cost = 0, root = 0;
   for (const Node& node : built.nodes) {
-    BuildBounds all;
+    Bounds all;
     for (std::size_t i = 0; i < kNodeWidth; ++i) {
       if (node.leaf[i] == kNoChild) continue;
-      const BuildBounds box{{node.lower_x[i], node.lower_y[i], node.lower_z[i]},
+      const Bounds box{{node.lower_x[i], node.lower_y[i], node.lower_z[i]},
                     {node.upper_x[i], node.upper_y[i], node.upper_z[i]}};
       all.include(box);
       const auto shapes = static_cast<float>(leaf_count(node.leaf[i]));

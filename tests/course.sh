@@ -111,8 +111,8 @@ outline() {
   sed -n 's/ --lang hr$//; s/^    \.\/run /command /p' "$1"
   grep -oE 'pictures/[^")]*' "$1"
   grep -oE '`[a-z_]+\(\)`|\[src/[^]]*\]' "$1"
-  grep -E '^### ' "$1"
-  echo "$(grep -c '^## ' "$1") sections, $(grep -c '^|' "$1") rows, $(grep -c '^<details>' "$1") answers"
+  grep -E '^### `' "$1"
+  echo "$(grep -c '^## ' "$1") sections, $(grep -c '^### ' "$1") below them, $(grep -c '^|' "$1") rows, $(grep -c '^<details>' "$1") answers"
   echo "$(tr -cd '$' <"$1" | wc -c) signs of formulas, $(sed -n '/^```text/,/^```$/p' "$1" | wc -l) lines of quotations"
 }
 title() {
@@ -152,11 +152,15 @@ mistakes() {
   done
 }
 
+# in_order FOLDER: its chapters, 10 after 9.
+in_order() {
+  printf '%s\n' "$1"/*.md | sort -V
+}
 for language in en hr; do
   contents=$course/README.md
   [ $language = en ] || contents=$course/README.hr.md
-  chapters=("$course/$language/"*.md)
-  if [ $language = en ]; then others=("$course/hr/"*.md); else others=("$course/en/"*.md); fi
+  mapfile -t chapters < <(in_order "$course/$language")
+  if [ $language = en ]; then mapfile -t others < <(in_order $course/hr); else mapfile -t others < <(in_order $course/en); fi
   for page in "$contents" "${chapters[@]}"; do
     walk "$page" $language
     links "$page"

@@ -82,4 +82,48 @@ exactly 1 "error: the scene has no shape 'zelen'
   "$zraka" influence $scene zelen
 expect 2 "NAME" "$zraka" influence $scene
 
+# Groups, CSG and textures.
+cat >"$folder/room.toml" <<'TOML'
+[image]
+width = 60
+height = 60
+[camera]
+eye = [0, 1, 5]
+look_at = [0, 0.5, 0]
+fov_deg = 30
+[[light]]
+position = [4, 6, 5]
+[material.tiled]
+color = {kind = "checker", colors = [[0.9, 0.9, 0.9], [0.1, 0.1, 0.1]], size = 0.5}
+[group.chair]
+shape = [{kind = "box", name = "seat", min = [-0.4, 0.4, -0.4], max = [0.4, 0.5, 0.4]}]
+[[shape]]
+kind = "plane"
+material = "tiled"
+point = [0, 0, 0]
+normal = [0, 1, 0]
+[[shape]]
+kind = "instance"
+name = "left"
+of = "chair"
+transform = [{translate = [-0.5, 0, 0]}]
+[[shape]]
+kind = "difference"
+name = "cup"
+of = [{kind = "sphere", center = [0.6, 0.4, 0], radius = 0.4},
+      {kind = "sphere", name = "hollow", center = [0.6, 0.6, 0.3], radius = 0.3}]
+TOML
+room=$folder/room.toml
+expect 0 "way: instance 1 'left' (group 'chair') → box 1 'seat'" "$zraka" explain "$room" 20 32
+expect 0 "put: primjerak 1 'left' (skupina 'chair') → kvadar 1 'seat'" "$zraka" explain "$room" 20 32 --lang hr
+expect 0 "on the surface of member 2 of 2 (difference): sphere 'hollow'" "$zraka" explain "$room" 42 28
+expect 0 "texture 1 (checker): ka = kd = (0.9, 0.9, 0.9)" "$zraka" explain "$room" 34 55
+expect 0 "Box 1 'seat' (group 'chair') has a part in" "$zraka" influence "$room" chair/seat
+expect 0 "Kvadar 1 'seat' (skupina 'chair') ima udjela u" "$zraka" influence "$room" seat --lang hr
+expect 0 '"group": "chair"' "$zraka" influence "$room" seat --format json
+expect 0 "Compound solid 1 'cup' has a part in" "$zraka" influence "$room" hollow
+exactly 1 "error: the scene has no shape 'arm'
+  it has plane 1, csg 1, instance 1; names are 'cup', 'left'; groups are 'chair': say GROUP/NAME for a shape in one" \
+  "$zraka" influence "$room" arm
+
 finish

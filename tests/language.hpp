@@ -36,10 +36,10 @@ inline std::string english_words_in(std::string_view text) {
         if (word.size() > 1) words.insert(word);
       });
     for (const char* both :
-         {"to",    "no",  "on",  "do",   "zraka", "javascript", "program", "srgb",
-          "input", "txt", "png", "jpeg", "gzip",  "utf",        "docs",    "nff",
-          "toml",  "md",  "zip", "json", "ppm",   "pgm",        "pfm",     "exr",
-          "mib",   "kd",  "ka",  "ks",   "ni",    "openexr",    "cmyk",    "width"})
+         {"to",  "no",   "on",      "do",   "zraka", "javascript", "program", "srgb", "input",
+          "txt", "png",  "jpeg",    "gzip", "utf",   "docs",       "nff",     "toml", "md",
+          "zip", "json", "ppm",     "pgm",  "pfm",   "exr",        "mib",     "kd",   "ka",
+          "ks",  "ni",   "openexr", "cmyk", "width", "radiance",   "hdr"})
       words.erase(both);
     return words;
   }();

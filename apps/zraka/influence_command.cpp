@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "commands.hpp"
+#include "core/counted.hpp"
 #include "core/json.hpp"
 #include "core/text.hpp"
 #include "core/words.hpp"
@@ -92,9 +93,10 @@ void print_text(const Arguments& arguments, const Asked& asked, const Influence&
   const std::uint64_t all = influence.pixels.size(), reached = influence.count(kAnyBit);
   fmt::print(
       "{}\n",
-      capitalized(say(
-          language, Word::influence_of, asked.label(language), grouped(reached), grouped(all),
-          fmt::format("{:.3g}", 100 * static_cast<double>(reached) / static_cast<double>(all)))));
+      capitalized(
+          say(language, Word::influence_of, asked.label(language), grouped(reached), grouped(all),
+              with_comma(language, fmt::format("{:.3g}", 100 * static_cast<double>(reached) /
+                                                             static_cast<double>(all))))));
   std::uint64_t rest = 0;
   for (std::size_t i = 0; i < influence.ways.size(); ++i) {
     if (i < kMostWays)

@@ -28,7 +28,16 @@ void add_camera(const Scene& scene, Text& out) {
           vector(c.window_up * more(scene.resolution.height)));
 }
 
-std::string texture(const Material& m) {
+/// A checker that gives the diffuse light, and maybe the ambient; nullptr where there is none.
+const Texture* checker_of(const Scene& scene, const Material& m) {
+  for (const TextureUse& use : m.textures)
+    if (use.coefficient == Coefficient::diffuse &&
+        scene.textures[use.texture].kind == TextureKind::checker)
+      return &scene.textures[use.texture];
+  return nullptr;
+}
+
+std::string texture(const Scene& scene, const Material& m) {
   // A share that is transmitted is taken from diffuse and ambient light; ours is not.
   const double through = std::min(m.refraction, 0.999), rest = 1 / (1 - through);
   const auto share = [](double ka, double kd) { return kd > 0 ? ka / kd : 0; };
@@ -39,10 +48,19 @@ std::string texture(const Material& m) {
                      share(m.ambient.b, m.diffuse.b)}
              : Color{1, 1, 1};
   Text out;
-  out.add("texture {{ pigment {{ rgbt <{:.9g},{:.9g},{:.9g},{:.9g}> }} ", pigment.r, pigment.g,
-          pigment.b, through);
-  out.add("finish {{ ambient rgb <{:.9g},{:.9g},{:.9g}> diffuse {:.9g} ", ambient.r * rest,
-          ambient.g * rest, ambient.b * rest, kd > 0 ? rest : 0);
+  const auto color = [&](const Color& c) {
+    return fmt::format("rgbt <{:.9g},{:.9g},{:.9g},{:.9g}>", c.r, c.g, c.b, through);
+  };
+  if (const Texture* const checker = checker_of(scene, m)) {
+    const bool lights_up = m.textures.size() > 1;  // color = gives ambient and diffuse light
+    out.add("texture {{ pigment {{ checker {}, {} scale {:.9g} }} ", color(checker->colors[0]),
+            color(checker->colors[1]), checker->size);
+    out.add("finish {{ ambient {:.9g} diffuse {:.9g} ", lights_up ? rest : 0, rest);
+  } else {
+    out.add("texture {{ pigment {{ {} }} ", color(pigment));
+    out.add("finish {{ ambient rgb <{:.9g},{:.9g},{:.9g}> diffuse {:.9g} ", ambient.r * rest,
+            ambient.g * rest, ambient.b * rest, kd > 0 ? rest : 0);
+  }
   if (mean(m.specular) > 0)
     out.add("phong {:.9g} phong_size {:.9g} ", mean(m.specular), std::max(m.shininess, 1e-3));
   if (m.reflection > 0) out.add("reflection {:.9g} ", m.reflection);
@@ -74,10 +92,11 @@ std::string translate(const Scene& scene) {
   out.add("background {{ rgb <{:.9g},{:.9g},{:.9g}> }}\n", scene.background.r, scene.background.g,
           scene.background.b);
   for (const PointLight& light : scene.lights)
-    out.add("light_source {{ {} rgb <{:.9g},{:.9g},{:.9g}> }}\n", vector(light.position),
-            light.color.r, light.color.g, light.color.b);
+    out.add("light_source {{ {} rgb <{:.9g},{:.9g},{:.9g}> {} }}\n", vector(light.position),
+            light.color.r, light.color.g, light.color.b,
+            scene.defaults.shadows == Shadows::off ? "shadowless" : "");
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
-    out.add("#macro M{}() {} #end\n", i, texture(scene.materials[i]));
+    out.add("#macro M{}() {} #end\n", i, texture(scene, scene.materials[i]));
 
   for (const auto& [s, material, transform] : scene.spheres)
     out.add("sphere {{ {}, {:.9g} M{}() }}\n", vector(s.center), s.radius, material);

@@ -40,7 +40,8 @@ constexpr HitOf kHitOf[kBodyTypes] = {
 #undef ZRAKA_FUNCTION
 };
 
-/// Which way it goes through is known where the body is closed, also where it only grazes.
+/// Which way it goes through is known where the body is closed, also where it only grazes. A
+/// quadric may be cut off by its box: then a ray comes in where there is no surface.
 template <class Shape>
 BodyHit first_hit(const FrozenBodies& bodies, std::int32_t body, const V3<double>& origin,
                   const V3<double>& direction) {
@@ -52,7 +53,7 @@ BodyHit first_hit(const FrozenBodies& bodies, std::int32_t body, const V3<double
         SharedNumbers<ScalarDoubles>{bodies.numbers + bodies.start[body]}, origin, direction, at);
     const double t = first_in_front(at);
     BodyHit hit = hit_of<Shape>(bodies, body, origin, direction, t);
-    if constexpr (ShapeTraits<Shape>::kClosed)
+    if constexpr (ShapeTraits<Shape>::kClosed && !std::is_same_v<Shape, Quadric>)
       hit.inside = (std::find(std::begin(at), std::end(at), t) - std::begin(at)) % 2 == 1;
     return hit;
   }

@@ -132,7 +132,8 @@ Seen look(const FrozenScene<R>& scene, const HitPath& path, const V3<double>& po
   V3<double> major = slope > 1e-9 ? slide * (1 / slope) : cross(normal, V3<double>{1, 0, 0});
   if (!(dot(major, major) > 0.5)) major = cross(normal, V3<double>{0, 1, 0});
   const V3<double> minor = cross(normal, major);
-  const V3<double> axes[2] = {major * (width / 2 / facing), minor * (width / 2)};
+  const double half = std::fabs(width) / 2;
+  const V3<double> axes[2] = {major * (half / facing), minor * half};
   const UvGradients slopes(seen.along_u, seen.along_v, normal);
   for (int i = 0; i < 2; ++i) {
     to.footprint[i] = vector_of(turned(vec3_of(axes[i]), seen.to_shape));
@@ -256,14 +257,22 @@ void spread_cones(const Level<R>& level, const Scratch<R>& scratch, Level<R>& ne
   for (std::size_t h = 0; h < n; ++h) {
     const HitDetail& detail = scratch.details[h];
     const auto ray = static_cast<std::size_t>(level.done + level.hits.ray[h]);
-    // A mirror that bulges spreads what it reflects by twice the angle between its normals.
-    const double bulge = 2 * detail.curvature * detail.width;
-    for (const std::int32_t child : {level.hits.reflected[h], level.hits.refracted[h]}) {
-      if (child < 0) continue;
+    const R* const row = scratch.own_rows + h * kMaterialReals;
+    const bool inside = scratch.inside[h] > R(0);
+    const auto spread = static_cast<double>(level.rays.spread[ray]);
+    // Over the cone's width the normal turns by `turn`, outwards where the surface bulges towards
+    // the ray: a mirror spreads what it reflects by twice that, and a surface that refracts as
+    // Snell's law for small angles has it. A lens draws a cone together, past its focus it widens
+    // again: widths have a sign.
+    const double turn = (inside ? -detail.curvature : detail.curvature) * detail.width;
+    const auto put = [&](std::int32_t child, double wide) {
+      if (child < 0) return;
       next.rays.width[child] = static_cast<R>(detail.width);
-      next.rays.spread[child] =
-          static_cast<R>(static_cast<double>(level.rays.spread[ray]) + bulge);
-    }
+      next.rays.spread[child] = static_cast<R>(wide);
+    };
+    put(level.hits.reflected[h], spread + 2 * turn);
+    const auto ratio = static_cast<double>(row[inside ? kRatioOut : kRatioIn]);
+    put(level.hits.refracted[h], ratio * spread + (ratio - 1) * turn);
   }
 }
 

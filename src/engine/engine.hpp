@@ -39,7 +39,7 @@ struct RayArrays {
   R *dx, *dy, *dz;  ///< direction, unit length
   R *r, *g, *b;     ///< colour, once it is known
   /// The cone around a ray that holds what its pixel sees (Amanatides, "Ray Tracing with Cones",
-  /// 1984): how wide it is at the origin and how much it widens per unit; nullptr where the scene
+  /// 1984): how wide it is at the origin and how much it widens per unit, both with a sign; nullptr where the scene
   /// has no textures.
   R *width, *spread;
 };
@@ -84,7 +84,7 @@ struct Scratch {
   std::int32_t* own_row;  ///< scene has no textures: 0, 1, 2…
   HitPath* paths;
   HitDetail* details;
-  R *smooth_x, *smooth_y, *smooth_z;  ///< normals before textures bend them; nullptr unless recorded
+  R *smooth_x, *smooth_y, *smooth_z;  ///< normals before textures bend them, where recorded
   R *lx, *ly, *lz;  ///< unit direction to the light at hand
   R* lit;           ///< 1 where the light at hand reaches the hit, else 0
   R *sox, *soy, *soz, *sdx, *sdy, *sdz, *sdistance;  ///< by shadow ray

@@ -22,7 +22,8 @@ struct HitPath {
 /// A hit of a material that has textures, or has children in a scene that has some.
 struct HitDetail {
   TexturePoint at;
-  double width;      ///< of the ray's cone there, in the engine's frame
+  /// Of the ray's cone there, in the engine's frame; below 0 past the focus of a lens.
+  double width;
   double curvature;  ///< of the surface, 1 over its radius, in the engine's frame
 };
 

@@ -155,7 +155,7 @@ void HitReader::read_textures(const Scratch<float>& scratch, std::size_t h,
   hit.own = {
       .point = roundest({detail.at.point.x, detail.at.point.y, detail.at.point.z}, detail.at.error),
       .uv = {{detail.at.u, detail.at.v}},
-      .footprint = frame_.world_length(detail.width)};
+      .footprint = frame_.world_length(std::fabs(detail.width))};
   const float* const row = scratch.coefficients + scratch.row[h] * kMaterialReals;
   for (std::int32_t i = 0; i < its.use_count; ++i)
     hit.textures.push_back({its.uses[i].coefficient, texture(its.uses[i].texture),

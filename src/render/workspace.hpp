@@ -12,8 +12,8 @@ namespace zraka {
 template <class R>
 class WorkspaceMemory {
  public:
-  /// For tiles of at most `batch` pixels and rays down to `max_depth`, with the arrays that textures
-  /// need, or without; and with those that only explanations read.
+  /// For tiles of at most `batch` pixels and rays down to `max_depth`, with the arrays that
+  /// textures need, or without; and with those that only explanations read.
   WorkspaceMemory(std::int32_t batch, int max_depth, bool textured, bool recorded = false);
 
   Workspace<R>& workspace() { return workspace_; }

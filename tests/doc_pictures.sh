@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# doc_pictures.sh PROGRAM: docs/shapes.md and docs/textures.md are what the program does. Each kind of the language has a
+# section with its keys and a picture; tables and pictures are byte for byte what docs/make_pictures.sh makes. So are the
+# pictures of the scenes in scenes/, whose files check finds no fault with.
+. "$(dirname "$0")/helpers.sh"
+
+cp -r docs "$folder/docs"
+docs=$folder/docs
+rm -f "$docs"/pictures/shapes/*
+bash "$docs/make_pictures.sh" "$zraka" >"$folder/words" 2>&1 || fail "docs/make_pictures.sh: $(cat "$folder/words")"
+for page in shapes textures; do
+  diff "docs/$page.md" "$docs/$page.md" >"$folder/diff" ||
+    { fail "docs/$page.md has other tables than docs/make_pictures.sh makes"; head -n 20 "$folder/diff"; }
+  for link in $(grep -oE '\]\([^)#]*|src="[^"]*"' "docs/$page.md" | sed -E 's/^(\]\(|src=")//; s/"$//'); do
+    [ -e "docs/$link" ] || fail "docs/$page.md: there is no $link"
+  done
+done
+diff -rq docs/pictures/shapes "$docs/pictures/shapes" ||
+  fail "docs/pictures/shapes is not what docs/make_pictures.sh makes"
+for picture in docs/pictures/shapes/*; do
+  grep -qF "pictures/shapes/$(basename "$picture")\"" docs/shapes.md docs/textures.md || fail "no page shows $picture"
+done
+
+# kinds SECTION: those of the program's own reference.
+mkdir "$folder/pages"
+"$zraka" help --pages "$folder/pages" >"$folder/words" || fail "zraka help --pages"
+kinds() {
+  awk -v section="## $1" '/^## / { within = $0 == section } within && /^### / { print $2 }' "$folder/pages/reference.md"
+}
+# sections PAGE SECTION: each kind has one, with a picture and its keys.
+sections() {
+  local kind count=0
+  for kind in $(kinds "$2"); do
+    count=$((count + 1))
+    sed -n "/^## $kind\$/,/^## /p" "$1" >"$folder/section"
+    grep -qF 'src="pictures/shapes/' "$folder/section" || fail "$1: no section '## $kind' with a picture"
+    grep -qxF "<!-- keys: $kind -->" "$folder/section" || fail "$1: the section '## $kind' has no keys"
+  done
+  [ $count -ge 8 ] || fail "the reference has $count kinds below $2"
+}
+sections docs/shapes.md '[[shape]]'
+sections docs/textures.md '[texture.NAME]'
+
+for scene in scenes/*.toml; do
+  name=$(basename "$scene" .toml)
+  exactly 0 "" "$zraka" check "$scene"
+  exactly 0 "" "$zraka" render "$scene" -o "$folder/$name.png"
+  cmp "$folder/$name.png" "docs/pictures/$name.png" || fail "docs/pictures/$name.png is not what $scene draws"
+done
+finish
