@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 #include <zraka/zraka.hpp>
 
+#include "render/isa.hpp"
 #include "render/prepare.hpp"
 
 namespace zraka {
@@ -106,6 +108,62 @@ TEST(Instances, HoldPlanesAndNothingAtAll) {
   EXPECT_LE(pixels_that_differ(written, instanced), 96u * 72 / 500);
 }
 
+/// Of equal hits the first in the file counts, in whatever order groups are gone through.
+TEST(Instances, ThatCoincideLookTheSameToAllTilesAndInstructionSets) {
+  Scene scene = empty_scene();
+  scene.camera.eye = {1, 7, 6};
+  Material green;
+  green.diffuse = {0.1, 0.8, 0.1};
+  scene.materials.push_back(green);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-3, 3), size(0.2, 1.4);
+  for (int g = 0; g < 2; ++g) {
+    Group boxes;
+    for (int i = 0; i < 20; ++i) {
+      const double x = place(random) / 6, z = place(random) / 6, w = size(random) / 4;
+      boxes.boxes.push_back({{{x, -1, z}, {x + w, 0, z + w}, 0}, kMaterialOfWhole});
+    }
+    scene.groups.push_back(boxes);
+  }
+  for (int i = 0; i < 200; ++i) {
+    scene.transforms.push_back({{size(random), 0, 0},
+                                {0, size(random), 0},
+                                {0, 0, size(random)},
+                                {place(random), 0, place(random)}});
+    scene.instances.push_back({{static_cast<std::uint32_t>(random() % 2)},
+                               static_cast<std::uint32_t>(random() % 3),
+                               static_cast<std::uint32_t>(i + 1)});
+  }
+  std::string first;
+  for (const Isa isa : available_isas())
+    for (const int tile : {0, 9}) {
+      RenderOptions options;
+      options.isa = isa;
+      options.tile = tile;
+      options.threads = 2;
+      const Result<Rendering> rendering = render(scene, options);
+      ASSERT_TRUE(rendering);
+      if (first.empty()) first = sha256(rendering->image);
+      EXPECT_EQ(sha256(rendering->image), first) << name_of(isa) << ", tile " << tile;
+    }
+}
+
+TEST(Instances, OfInstancesOfInstancesAreFramedAtOnce) {
+  Scene scene = empty_scene();
+  scene.transforms.push_back({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.001, 0, 0}});
+  Group box;
+  box.boxes.push_back({{{-50, -50, -50}, {50, 50, 50}, 0}, kMaterialOfWhole});
+  scene.groups.push_back(box);
+  for (std::uint32_t level = 0; level < 24; ++level) {
+    Group next;
+    for (int i = 0; i < 8; ++i) next.instances.push_back({{level}, kMaterialOfWhole, 1});
+    scene.groups.push_back(next);
+  }
+  scene.instances.push_back({{24}, 0, 0});
+  // 8^24 boxes, seen from within.
+  EXPECT_TRUE(check(scene).empty());
+}
+
 TEST(Instances, OfOneMeshCostItsMemoryOnce) {
   Scene scene = empty_scene();
   Group mesh;
@@ -135,6 +193,28 @@ TEST(Instances, OfOneMeshCostItsMemoryOnce) {
   EXPECT_GT(one, 9800u * 9 * sizeof(float));
   // Each instance: its numbers and a few words.
   EXPECT_LT(many - one, 10000u * 256);
+}
+
+TEST(Textures, MoveWithMembersOfCsgAsWithShapes) {
+  const auto scene_of = [](bool member) {
+    Scene scene = empty_scene();
+    Texture checker;
+    checker.size = 0.5;
+    scene.textures = {checker};
+    scene.materials[0].textures = {{Coefficient::diffuse, 0}};
+    scene.transforms = {quarter(0.9, {0.3, 0.2, 0.1})};
+    const Box box{{-1.01, -1.02, -1.03}, {1, 1, 1}, 0};
+    if (member) {
+      Csg csg;
+      csg.of = {{box, kMaterialOfWhole, 1, {}},
+                {Ellipsoid{{0, 9, 0}, {1, 1, 1}}, kMaterialOfWhole, 0, {}}};
+      scene.csgs.push_back({csg, 0});
+    } else {
+      scene.boxes.push_back({box, 0, 1});
+    }
+    return scene;
+  };
+  EXPECT_LE(pixels_that_differ(scene_of(true), scene_of(false)), 3u);
 }
 
 TEST(Planes, AloneOrByTheDozenAreSeen) {

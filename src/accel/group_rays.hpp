@@ -24,7 +24,8 @@ class GroupRays {
 
   GroupRays(const FrozenShapes<R, Body>& bodies, std::int32_t body, const BodyQuery<L>& query,
             std::uint32_t lanes, bool any) {
-    // Distances are compared as they are in the end; until then ends are only roughly known.
+    // Distances are compared as they are in the end; until then ends are only roughly known: the
+    // slack is for the whole distance, which was rounded, and not for what is left of it here.
     const double slack = any ? 1 : 1 + 0x1p-20;
     using F = typename D::F;
     const double* const row = bodies.numbers + bodies.start[body];
@@ -39,11 +40,12 @@ class GroupRays {
       // near: before + start is how far that is from the ray's origin.
       const F start = max(-view.before, -reach);
       const V3<F> from = view.ray.origin + view.ray.direction * start;
-      const F limit = D::load_reals(query.limit + c) / view.unit - (view.before + start);
+      const F limit =
+          D::load_reals(query.limit + c) * F(slack) / view.unit - (view.before + start);
       store(from.x, o[0] + c), store(from.y, o[1] + c), store(from.z, o[2] + c);
       store(view.ray.direction.x, d[0] + c), store(view.ray.direction.y, d[1] + c);
       store(view.ray.direction.z, d[2] + c);
-      store(limit * F(slack), t + c);
+      store(limit, t + c);
       D::store(view.before + start, start_ + c);
       D::store(view.unit, unit_ + c);
     }

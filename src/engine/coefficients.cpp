@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/coefficients.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "accel/body_surface.hpp"
@@ -52,8 +53,10 @@ bool find_primitive(const FrozenScene<R>& scene, const FrozenTextures& textures,
     context.z = vector_of(t.along_z) * scale;
   }
   if (mapping.uvs != nullptr) context.uvs = mapping.uvs + index;
-  for (std::int32_t i = 0; i < mapping.whole_count; ++i)
-    if (mapping.wholes[i].index == index) context.whole_corners = mapping.wholes[i].corners;
+  const WholeTriangle* const end = mapping.wholes + mapping.whole_count;
+  const WholeTriangle* const whole = std::lower_bound(
+      mapping.wholes, end, index, [](const WholeTriangle& t, std::int32_t i) { return t.index < i; });
+  if (whole != end && whole->index == index) context.whole_corners = whole->corners;
   const Shape* const kind = nullptr;
   found.surface = uv_of(kind, numbers, found.point, context);
   found.curvature = curvature_of(kind, numbers);
@@ -72,9 +75,7 @@ Found find_on_shape(const FrozenScene<R>& scene, const FrozenTextures& textures,
   const OnBody on = isa_oracle::on_body(scene.bodies, path.body, point);
   found.surface = on.surface;
   found.curvature = on.curvature;
-  // Members of CSG move with the whole.
-  const std::int32_t whole = path.slot - scene.bodies.first_slot;
-  found.transform = scene.bodies.transform[whole];
+  found.transform = scene.bodies.transform[path.body];
   return found;
 }
 

@@ -57,8 +57,11 @@ void prepare(Item& item) {
                               : material_named(common.material.value_or("default"), item);
 }
 
-void refuse(const Item& item, std::string_view what, std::string_view problem) {
-  item.input.problems.error(item.node.begin, fmt::format("{}: {}", what, problem));
+/// By the name of its kind in the file.
+void refuse(const Item& item, std::string_view problem) {
+  const toml::Node* const kind = item.node.find("kind");
+  item.input.problems.error(item.node.begin,
+                            fmt::format("{}: {}", kind != nullptr ? kind->text : "", problem));
 }
 
 template <class Shape>
@@ -77,7 +80,7 @@ void add_body(Item& item, std::vector<Object<Body>> ShapeLists::*list, ShapeList
   const Transform transform = transform_of(item);
   std::string problem = problem_of(body, transform);
   if (problem.empty() && common.place.members != nullptr) problem = problem_of_member(body);
-  if (!problem.empty()) return refuse(item, ShapeTraits<Body>::kName, problem);
+  if (!problem.empty()) return refuse(item, problem);
   const std::uint32_t index = index_of(transform, item.input);
   if (common.place.members != nullptr)
     common.place.members->push_back({body, common.material_index, index, common.name});
@@ -91,7 +94,7 @@ void add_primitive(Item& item, std::vector<Object<Primitive>> ShapeLists::*list,
   CommonEntry& common = common_of(item);
   const Primitive moved = common.transform ? baked(primitive, *common.transform) : primitive;
   if (const std::string problem = problem_of(moved); !problem.empty())
-    return refuse(item, ShapeTraits<Primitive>::kName, problem);
+    return refuse(item, problem);
   Transform with_textures = transform_of(item);
   if (of_textures)
     with_textures = common.transform ? then(*of_textures, with_textures) : *of_textures;

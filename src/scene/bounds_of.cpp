@@ -151,10 +151,14 @@ double Whereabouts::distance(const Instance& instance, const Transform& transfor
                              const Vec3& point) const {
   const double outside = bounds(instance, transform).distance_to(point);
   const std::optional<Transform> to_own = inverse(transform);
-  if (outside > 0 || !to_own) return outside;
+  const Group& group = scene_.groups[instance.group];
+  // Groups that hold groups, or a great many shapes, would take too long to ask from within: a
+  // distance may be less than it is.
+  constexpr std::uint64_t kMostAsked = 100'000;
+  if (outside > 0 || !to_own || !group.instances.empty() || group.shape_count() > kMostAsked)
+    return outside;
   const Vec3 own = moved(point, *to_own);
   double least = Bounds::kInfinity;
-  const Group& group = scene_.groups[instance.group];
 #define ZRAKA_NEAREST(Type, plural) \
   for (const auto& object : group.plural) least = std::min(least, distance(object, own));
   ZRAKA_SHAPES(ZRAKA_NEAREST)

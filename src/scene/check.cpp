@@ -100,6 +100,27 @@ void check_objects(const Scene& scene, const Whereabouts& where,
   }
 }
 
+std::uint64_t count_members(const Csg& csg) {
+  std::uint64_t count = csg.of.size();
+  for (const CsgMember& member : csg.of)
+    if (const Csg* const inner = std::get_if<Csg>(&member.body)) count += count_members(*inner);
+  return count;
+}
+
+/// All bodies, members of CSG among them.
+std::uint64_t count_bodies(const Scene& scene) {
+  std::uint64_t bodies = 0;
+  const auto count = [&](const ShapeLists& shapes) {
+#define ZRAKA_COUNT(Type, plural) bodies += shapes.plural.size();
+    ZRAKA_BODIES(ZRAKA_COUNT)
+#undef ZRAKA_COUNT
+    for (const Object<Csg>& object : shapes.csgs) bodies += count_members(object.shape);
+  };
+  count(scene);
+  for (const Group& group : scene.groups) count(group);
+  return bodies;
+}
+
 /// Whether floats can hold what the camera sees beside what there is else.
 void check_floats(const Scene& scene, const Extent& extent, const auto& complain) {
   // Looking for what is seen takes long in large scenes, and most are far from any bound.
@@ -195,6 +216,11 @@ Diagnostics check(const Scene& scene) {
   if (scene.materials.size() > kMostMaterials || scene.lights.size() > kMostMaterials)
     complain(fmt::format("{} materials and {} lights are too many: at most {} of each fit",
                          scene.materials.size(), scene.lights.size(), kMostMaterials));
+  // Their numbers are counted in 31 bits.
+  constexpr std::uint64_t kMostBodies = (std::uint64_t{1} << 31) / 32;
+  if (const std::uint64_t bodies = count_bodies(scene); bodies > kMostBodies)
+    complain(fmt::format("{} bodies, members of CSG among them, are too many: at most {} fit",
+                         bodies, kMostBodies));
   Extent extent;
   if (!check_references(scene, complain)) return found;
   const Whereabouts where(scene);

@@ -300,9 +300,7 @@ std::unique_ptr<StoredTextures> freeze_textures(const Scene& scene) {
     stored->of_material.push_back({uses, count, m.normals});
     uses += count;
   }
-  for (const Transform& t : scene.transforms)
-    stored->to_shape.push_back(inverse(t).value_or(Transform()));
-  stored->frozen = {&stored->set, stored->of_material.data(), stored->to_shape.data()};
+  stored->frozen = {&stored->set, stored->of_material.data(), nullptr};
   return stored;
 }
 
@@ -331,7 +329,8 @@ std::vector<GroupPlace> places_of_groups(const Scene& scene, const Whereabouts& 
     const Frame frame = Frame::around(middle, bounds);
     const Vec3 corner = bounds.empty() ? Vec3() : frame.point(bounds.upper);
     // A little more than to its corners.
-    const double reach = std::hypot(corner.x, corner.y, corner.z) * 1.01;
+    const double reach =
+        std::sqrt(corner.x * corner.x + corner.y * corner.y + corner.z * corner.z) * 1.01;
     places.push_back({frame, unbounded ? Bounds::kInfinity : reach});
   }
   return places;
@@ -339,15 +338,17 @@ std::vector<GroupPlace> places_of_groups(const Scene& scene, const Whereabouts& 
 
 /// All shapes of a scene or a group.
 template <class R>
-void freeze_all(const Scene& scene, const ShapeLists& shapes, const Whereabouts& where,
+void freeze_all(const ShapeLists& shapes, const Whereabouts& where,
                 const std::vector<Material>& materials, const Profile& profile, const Frame& frame,
-                const std::vector<GroupPlace>& groups, bool textured, FrozenStore<R>& store) {
+                const std::vector<GroupPlace>& groups, bool textured,
+                std::vector<Transform>& transforms, FrozenStore<R>& store) {
   store.scene.frame_scale = frame.scale;
   store.scene.frame_center = frame.center;
   const std::int32_t slots =
       freeze_shapes(shapes, where, materials, profile, frame, textured, store);
   FrozenShapes<R, Body>& bodies = store.scene.bodies;
-  freeze_bodies(scene, shapes, where, frame, groups, first_body_id(shapes), store.bodies, bodies);
+  freeze_bodies(shapes, where, frame, groups, first_body_id(shapes), transforms, store.bodies,
+                bodies);
   bodies.first_slot = slots;
 }
 
@@ -374,19 +375,25 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
   store->textures = freeze_textures(scene);
   const bool textured = store->textures != nullptr;
   frozen.textures = textured ? &store->textures->frozen : nullptr;
-  freeze_all(scene, scene, where, scene.materials, profile, frame, places, textured, *store);
+  std::vector<Transform> transforms = scene.transforms;
+  freeze_all(scene, where, scene.materials, profile, frame, places, textured, transforms, *store);
   store->groups.resize(scene.groups.size());
   frozen.bodies.groups = store->groups.data();
   for (std::size_t i = 0; i < scene.groups.size(); ++i) {
     auto group = std::make_unique<FrozenStore<R>>();
     // What it is made of is the scene's.
-    freeze_all(scene, scene.groups[i], where, {}, profile, places[i].frame, places, textured,
+    freeze_all(scene.groups[i], where, {}, profile, places[i].frame, places, textured, transforms,
                *group);
     group->scene.materials = frozen.materials;
     group->scene.bodies.groups = store->groups.data();
     group->scene.reach = R(1);
     group->scene.camera.eye = {R(2), R(2), R(2)};  // rays come from no farther
     store->group_stores.push_back(std::move(group));
+  }
+  if (textured) {
+    for (const Transform& t : transforms)
+      store->textures->to_shape.push_back(inverse(t).value_or(Transform()));
+    store->textures->frozen.to_shape = store->textures->to_shape.data();
   }
   return store;
 }

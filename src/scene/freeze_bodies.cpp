@@ -30,8 +30,8 @@ constexpr BodyType type_of() {
 class Filling {
  public:
   Filling(const Whereabouts& where, const Frame& frame, const std::vector<GroupPlace>& groups,
-          BodyStore& store)
-      : where_(where), frame_(frame), groups_(groups), store_(store) {}
+          std::vector<Transform>& transforms, BodyStore& store)
+      : where_(where), frame_(frame), groups_(groups), transforms_(transforms), store_(store) {}
 
   template <class Shape>
   void add(const Shape& shape, const Transform& to_world, std::uint32_t material,
@@ -51,7 +51,7 @@ class Filling {
       std::visit(
           [&]<class Shape>(const Shape& shape) {
             if constexpr (!std::is_same_v<Shape, std::monostate> && !std::is_same_v<Shape, Csg>)
-              add(shape, open.to_world, open.material, open.member->transform);
+              add(shape, open.to_world, open.material, index_of(open.to_world));
           },
           open.member->body);
       store_.numbers[open.place] = body;
@@ -59,6 +59,13 @@ class Filling {
   }
 
  private:
+  /// As Object::transform.
+  std::uint32_t index_of(const Transform& to_world) {
+    if (to_world == Transform()) return 0;
+    if (transforms_.empty() || !(transforms_.back() == to_world)) transforms_.push_back(to_world);
+    return static_cast<std::uint32_t>(transforms_.size());
+  }
+
   template <class Shape>
   void put(const Shape& shape, const Transform& to_world) {
     const Placement placement = ShapeTraits<Shape>::place(shape);
@@ -123,6 +130,7 @@ class Filling {
   const Whereabouts& where_;
   const Frame& frame_;
   const std::vector<GroupPlace>& groups_;
+  std::vector<Transform>& transforms_;
   BodyStore& store_;
   std::vector<Open> open_;
 };
@@ -134,10 +142,10 @@ std::uint64_t BodyStore::bytes() const {
          numbers.size() * sizeof(double) + bounds.size() * sizeof(Bounds);
 }
 
-void freeze_bodies(const Scene&, const ShapeLists& shapes, const Whereabouts& where,
-                   const Frame& frame, const std::vector<GroupPlace>& groups,
-                   std::int32_t first_id, BodyStore& store, FrozenBodies& out) {
-  Filling filling(where, frame, groups, store);
+void freeze_bodies(const ShapeLists& shapes, const Whereabouts& where, const Frame& frame,
+                   const std::vector<GroupPlace>& groups, std::int32_t first_id,
+                   std::vector<Transform>& transforms, BodyStore& store, FrozenBodies& out) {
+  Filling filling(where, frame, groups, transforms, store);
   // Those that have no bounds after the others.
   for (const bool bounded : {true, false}) {
     std::int32_t id = first_id;

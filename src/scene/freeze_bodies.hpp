@@ -28,10 +28,11 @@ struct GroupPlace {
 };
 
 /// Puts the bodies of a scene or of a group into the store, and points to them. Slots are not known
-/// yet; ids count from `first_id` on.
-void freeze_bodies(const Scene& scene, const ShapeLists& shapes, const Whereabouts& where,
-                   const Frame& frame, const std::vector<GroupPlace>& groups,
-                   std::int32_t first_id, BodyStore& store, FrozenBodies& out);
+/// yet; ids count from `first_id` on. Members of CSG that have a transform get one more in
+/// `transforms`, which begin as the scene's: their own and that of the whole.
+void freeze_bodies(const ShapeLists& shapes, const Whereabouts& where, const Frame& frame,
+                   const std::vector<GroupPlace>& groups, std::int32_t first_id,
+                   std::vector<Transform>& transforms, BodyStore& store, FrozenBodies& out);
 
 /// Puts the bodies of the hierarchy in its order.
 void reorder_bodies(const std::int32_t* order, BodyStore& store, FrozenBodies& out);
