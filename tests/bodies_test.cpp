@@ -91,6 +91,33 @@ struct NameOf {
 };
 TYPED_TEST_SUITE(Bodies, AllBodies, NameOf);
 
+/// A property of the truth itself: all the tests below rest on it.
+TYPED_TEST(Bodies, HaveTruthsWhoseGradientsAreTheirSlopesAndAtMostOne) {
+  constexpr Real kStep = 1e-6L;
+  Random random(7);
+  for (int i = 0; i < 200; ++i) {
+    const Truth<TypeParam> truth(Truth<TypeParam>::random(random, {}));
+    for (int k = 0; k < 20; ++k) {
+      const Point p = exact(in_cube(random)) * 2, q = exact(in_cube(random)) * 2;
+      const auto slope = [&](const Point& way) {
+        return (truth.residual(p + way) - truth.residual(p - way)) / (2 * kStep);
+      };
+      const Point slopes{slope({kStep, 0, 0}), slope({0, kStep, 0}), slope({0, 0, kStep})};
+      const auto bends = [&](const Point& way) {
+        return length(truth.gradient(p + way) - truth.gradient(p - way)) > 1e-3L;
+      };
+      if (!bends({kStep, 0, 0}) && !bends({0, kStep, 0}) && !bends({0, 0, kStep})) {
+        ASSERT_LT(length(slopes - truth.gradient(p)), 1e-5L);
+      }
+      const Real way = length(p - q) * (1 + 1e-12L);
+      ASSERT_LE(std::fabs(truth.residual(p) - truth.residual(q)), way);
+      if constexpr (requires { truth.beyond(p); }) {
+        ASSERT_LE(std::fabs(truth.beyond(p) - truth.beyond(q)), way);
+      }
+    }
+  }
+}
+
 TYPED_TEST(Bodies, AreCrossedWhereTheirEquationsSayAndNowhereElse) {
 #ifdef ZRAKA_SANITIZED  // is ten times as slow
   constexpr std::size_t kLeast = 10000;

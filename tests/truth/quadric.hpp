@@ -38,8 +38,8 @@ struct Truth<Quadric> {
       : middle((exact(s.min) + exact(s.max)) * 0.5L), half((exact(s.max) - exact(s.min)) * 0.5L) {
     std::copy(s.coefficients.begin(), s.coefficients.end(), c.begin());
     const auto& k = s.coefficients;
-    const auto [x, y, z] = middle;
-    const auto linear = [&](int axis, Real xs, Real ys, Real zs) {
+    const Real x = middle.x, y = middle.y, z = middle.z;
+    const auto linear = [&](std::size_t axis, Real xs, Real ys, Real zs) {
       ExactSum sum;
       sum.add(k[6 + axis]), sum.add(xs, x), sum.add(ys, y), sum.add(zs, z);
       return sum.value();

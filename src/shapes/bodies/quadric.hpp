@@ -29,7 +29,7 @@ struct ShapeTraits<Quadric> {
     const QuadraticForm form = in_box(s);
     const V3<double> q = vector_of(p) - middle_of(s), g = form.gradient(q);
     const double value = std::fabs(form.value(q)), slope = safe_length(g.x, g.y, g.z);
-    const auto row = [&](int square, int one, int other) {
+    const auto row = [&](std::size_t square, std::size_t one, std::size_t other) {
       return std::fabs(form.c[square]) + std::fabs(form.c[one]) / 2 + std::fabs(form.c[other]) / 2;
     };
     const double bend = std::max({row(0, 3, 4), row(1, 3, 5), row(2, 4, 5)});
