@@ -1,13 +1,12 @@
-#!/ usr / bin / env bash
-#SPDX - License - Identifier : Apache - 2.0
-#explain.sh PROGRAM : zraka explain from outside : words, exit codes, files.
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# explain.sh PROGRAM: zraka explain from outside: words, exit codes, files.
 . "$(dirname "$0")/helpers.sh"
 scene=scenes/lab/input.txt
 
-#Usage.
+# Usage.
 expect 0 "Examples:" "$zraka" explain --help
-for bad in -1 a 1.5 "" " 3" 3x;
-do
+for bad in -1 a 1.5 "" " 3" 3x; do
   exactly 2 "X: '$bad' is not a whole number, 0 or more
 Run 'zraka explain --help' for more information." "$zraka" explain $scene "$bad" 5
   exactly 2 "Y: '$bad' is not a whole number, 0 or more
@@ -18,7 +17,7 @@ expect 2 "--lang: 'de' is not en or hr" "$zraka" explain $scene 5 5 --lang de
 expect 2 "--format: 'pdf' is not text, json or html" "$zraka" explain $scene 5 5 --format pdf
 expect 2 "'8' is not a stage" "$zraka" explain $scene 5 5 --stage 8
 
-#Bad input.
+# Bad input.
 exactly 1 "error: pixel (400, 399) is outside of the picture of 400×400 pixels
   columns go from 0 to 399 from the left, rows from 0 to 399 from the top" "$zraka" explain $scene 400 399
 expect 1 "pixel (4294967295, 0) is outside of the picture of 400×400 pixels" "$zraka" explain $scene 99999999999999999999 0
@@ -29,36 +28,32 @@ exactly 1 "$folder/nowhere.txt: pogreška: ne može se pročitati: nema takve da
 expect 1 "No space left on device" "$zraka" explain $scene 1 1 -o /dev/full
 expect 1 "does its folder exist?" "$zraka" explain $scene 1 1 -o "$folder/no/pixel.json"
 
-#The words, plain when piped; colours on a terminal unless NO_COLOR forbids.
+# The words, plain when piped; colours on a terminal unless NO_COLOR forbids.
 "$zraka" explain $scene 180 290 >"$folder/text" || fail "explain"
 [ "$(tail -n 1 "$folder/text")" = "Dark because the shadow ray to light 1 hits sphere 3 'staklo' at t = 0.396; only the ambient component remains." ] ||
   fail "the last line is: $(tail -n 1 "$folder/text")"
 grep -q $'\x1b' "$folder/text" && fail "colours in a pipe"
 [ "$("$zraka" explain $scene 180 290 --lang hr | tail -n 1)" = "Tamno jer zraka za ispitivanje sjene prema svjetlu 1 pogađa kuglu 3 'staklo' za t = 0,396; ostaje samo ambijentna komponenta." ] ||
   fail "the last line in Croatian"
-if script -qec true /dev/null </dev/null >/dev/null 2>&1;
-then #needs pseudo - terminals on_terminal() {
-  TERM = xterm script - qec "$*" / dev / null < / dev / null;
-}
+if script -qec true /dev/null </dev/null >/dev/null 2>&1; then  # needs pseudo-terminals
+  on_terminal() { TERM=xterm script -qec "$*" /dev/null </dev/null; }
   on_terminal "$zraka" explain $scene 180 290 | grep -q $'\x1b' || fail "no colours on a terminal"
   on_terminal env NO_COLOR=1 "$zraka" explain $scene 180 290 | grep -q $'\x1b' && fail "colours in spite of NO_COLOR"
 fi
 expect 0 "stage 2: ambient component" "$zraka" explain $scene 180 290 --stage ambient
 expect 0 "lower right corner" "$zraka" explain $scene 180 290 --profile spd
-for isa in $("$zraka" --version | sed -n 's/^this machine has://p');
-  do
+for isa in $("$zraka" --version | sed -n 's/^this machine has://p'); do
   "$zraka" explain $scene 180 290 --isa "$isa" | cmp -s - "$folder/text" || fail "$isa explains otherwise"
 done
 
-#JSON, by name or by option.
+# JSON, by name or by option.
 "$zraka" explain $scene 180 290 -o "$folder/pixel.json" || fail "json"
 "$zraka" explain $scene 180 290 --format json | cmp -s - "$folder/pixel.json" || fail "--format json is not .json"
-for key in color tree words pixel profile background lights;
-  do
-    grep -q "^ \"$key\": " "$folder/pixel.json" || fail "JSON has no $key"
+for key in color tree words pixel profile background lights; do
+  grep -q "^ \"$key\": " "$folder/pixel.json" || fail "JSON has no $key"
 done
 
-#Rays for 3 - D programs.
+# Rays for 3-D programs.
 "$zraka" explain $scene 230 250 --rays "$folder/rays.obj" >/dev/null || fail "--rays obj"
 [ "$(grep -c '^l ' "$folder/rays.obj")" -ge 12 ] || fail "rays.obj has too few rays"
 "$zraka" explain $scene 230 250 --rays "$folder/rays.gltf" >/dev/null || fail "--rays gltf"
@@ -66,7 +61,7 @@ grep -q '"shadow-ray-blocked"' "$folder/rays.gltf" || fail "rays.gltf has no sha
 expect 2 "--rays: 'rays.png' is not the name of a .obj or a .gltf" "$zraka" explain $scene 5 5 --rays rays.png
 expect 1 "does its folder exist?" "$zraka" explain $scene 5 5 --rays "$folder/no/rays.obj"
 
-#Influence of a shape.
+# Influence of a shape.
 expect 0 "Sphere 3 'staklo' has a part in" "$zraka" influence $scene staklo
 cp "$folder/words" "$folder/by_name"
 expect 0 "by refracted ray → refracted ray" "$zraka" influence $scene sphere 2
@@ -77,8 +72,7 @@ expect 0 "orange seen from the eye" "$zraka" influence $scene staklo -o "$folder
 [ "$(head -c 4 "$folder/marked.png" | tail -c 3)" = PNG ] || fail "no picture of influence"
 "$zraka" influence $scene staklo -o - | cmp -s - "$folder/marked.png" || fail "influence to standard output"
 exactly 1 "error: the scene has no shape 'zelen'
-  it has sphere 1 to sphere 7;
-  names are 'tlo', 'zrcalo', 'staklo', 'crvena', 'zuta', 'zelena', 'modra'" \
+  it has sphere 1 to sphere 7; names are 'tlo', 'zrcalo', 'staklo', 'crvena', 'zuta', 'zelena', 'modra'" \
   "$zraka" influence $scene zelen
 expect 2 "NAME" "$zraka" influence $scene
 
