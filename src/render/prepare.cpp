@@ -11,8 +11,9 @@
 namespace zraka {
 namespace {
 
-/// So many shapes are asked one by one as fast as through a hierarchy.
-constexpr std::uint64_t kFewShapes = 16;
+/// So many shapes are asked one by one as fast as through a hierarchy; so many if there are bodies
+/// among them, which take long to ask.
+constexpr std::uint64_t kFewShapes = 16, kFewBodies = 1;
 
 }  // namespace
 
@@ -46,7 +47,7 @@ template <class R>
 void add_hierarchy(FrozenStore<R>& store, BuiltHierarchy& hierarchy) {
   const std::vector<std::int32_t> kind_starts = kind_starts_of(store.scene);
   const auto count = static_cast<std::size_t>(kind_starts.back());
-  if (count > kFewShapes) {
+  if (count > (store.scene.bodies.bounded > 0 ? kFewBodies : kFewShapes)) {
     BuildRefs refs(count);
     refer_to(store.scene, refs.data());
     hierarchy = build_hierarchy(std::move(refs), kind_starts);
