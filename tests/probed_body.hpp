@@ -150,8 +150,8 @@ struct Placed {
     const auto largest = [](const Point& p) {
       return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
     };
-    return 0x1p-46L * place.scale + 0x1p-48L * length(origin - middle()) +
-           0x1p-50L * largest(middle());
+    return 0x1p-44L * place.scale + 0x1p-46L * length(origin - middle()) +
+           0x1p-48L * largest(middle());
   }
   BodySurface surface(const Point& world) const {
     const Point p = row.own(world);

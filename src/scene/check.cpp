@@ -16,14 +16,6 @@
 
 namespace zraka {
 
-std::uint64_t ShapeLists::shape_count() const {
-  std::uint64_t count = 0;
-#define ZRAKA_COUNT(Type, plural) count += plural.size();
-  ZRAKA_SHAPES(ZRAKA_COUNT)
-#undef ZRAKA_COUNT
-  return count;
-}
-
 namespace {
 
 /// Squares and products of what is this far stay finite.
