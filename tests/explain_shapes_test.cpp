@@ -76,17 +76,19 @@ Vec3 moved(const Vec3& p, const Transform& t) {
 }
 
 TEST(ExplainShapes, KnowTheirOwnSpace) {
-  std::size_t seen = 0, in_groups = 0;
+  std::size_t seen = 0, in_groups = 0, of_members = 0;
   for (const NamedScene& named : shape_scenes())
     each_ray_that_hits(named.scene, [&](const ExplainedRay&, const ExplainedHit& hit) {
       if (!hit.transform) return;
       ++seen;
       in_groups += hit.path.instances.size() == 2;
       ASSERT_TRUE(hit.own);
+      of_members += hit.own->uv && hit.path.member && hit.path.member->transform != Transform();
       EXPECT_LT(distance(moved(hit.own->point, *hit.transform), hit.point), 2e-6) << named.name;
     });
   EXPECT_GT(seen, 500u);
   EXPECT_GT(in_groups, 100u);
+  EXPECT_GT(of_members, 20u) << "where textures move with a member";
 }
 
 TEST(ExplainShapes, LieOnWhatTheirPathNames) {

@@ -201,6 +201,11 @@ inline Scene crowded_scene(std::uint32_t resolution = 100) {
         {{1},
          kGlobe,
          add_transform(scene, placed(35 * i, 0.8, {-0.8 + 0.5 * i, -0.6 + 0.4 * i, -1.5}))});
+  Csg pair{CsgOperation::unite, {}};
+  pair.of.push_back({Ellipsoid{{0, 0, 0}, {0.3, 0.2, 0.2}}, kMaterialOfWhole, 0, ""});
+  pair.of.push_back({Box{{-0.2, -0.2, -0.2}, {0.2, 0.2, 0.2}}, kMaterialOfWhole,
+                     add_transform(scene, placed(30, 1.2, {0.3, 0.2, 0.1})), ""});
+  scene.csgs.push_back({pair, kGlobe, add_transform(scene, placed(20, 0.9, {0.3, 0.5, -0.6}))});
   for (int i = 0; i < 20; ++i)
     scene.triangles.push_back(
         {{{-1, -1 + 0.1 * i, -3}, {1, -1 + 0.1 * i, -3}, {0, -0.92 + 0.1 * i, -2.9}}, 0});

@@ -36,6 +36,7 @@ struct ExplainedMember {
   std::uint32_t operands = 0;
   std::int32_t kind = 0;  ///< index in ZRAKA_SHAPES
   std::string name;
+  Transform transform;  ///< from the member's space to that of the whole
 };
 
 /// The way to a shape that stands in groups, and the part of a CSG shape: nothing of that for most.

@@ -78,15 +78,15 @@ ExplainedPath HitReader::path(const HitPath* path) const {
         shape_in_slot(*at.shapes, *at.frozen, at.frozen->bodies.first_slot + path->instance[i]);
     const std::uint32_t group = instance_of(*at.shapes, id)->group;
     way.instances.push_back({named(*at.shapes, id), group, scene_.groups[group].name,
-                             transform(transform_of(*at.shapes, id))});
+                             transform_at(scene_, transform_of(*at.shapes, id))});
   }
   const Home at = home(way);
   const ShapeId id = shape_in_slot(*at.shapes, *at.frozen, path->slot);
   if (path->depth > 0) way.inner = named(*at.shapes, id);
   const FrozenBodies& bodies = at.frozen->bodies;
   if (const Csg* const csg = csg_of(*at.shapes, id))
-    way.member =
-        member_of(*csg, index_of_member(bodies, path->slot - bodies.first_slot, path->body));
+    way.member = member_of(scene_, *csg,
+                           index_of_member(bodies, path->slot - bodies.first_slot, path->body));
   return way;
 }
 
@@ -141,7 +141,7 @@ std::optional<ExplainedCrossings> HitReader::crossings(
     if (known != listed.end()) continue;
     listed.push_back(member);
     all.members.push_back(
-        member_of(*csg_of(*at.shapes, path.inner ? path.inner->id : shape), member));
+        member_of(scene_, *csg_of(*at.shapes, path.inner ? path.inner->id : shape), member));
   }
   return all;
 }
@@ -175,7 +175,8 @@ void HitReader::read(const Level<float>& level, const Scratch<float>& scratch, s
 
   const std::uint32_t own =
       transform_of(*home(hit.path).shapes, hit.path.inner ? hit.path.inner->id : hit.shape.id);
-  Transform all = transform(own);
+  Transform all = transform_at(scene_, own);
+  if (hit.path.member) all = then(hit.path.member->transform, all);
   for (auto i = hit.path.instances.rbegin(); i != hit.path.instances.rend(); ++i)
     all = then(all, i->transform);
   if (all == Transform()) return;

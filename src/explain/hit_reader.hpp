@@ -32,9 +32,6 @@ class HitReader {
   };
   Home group(std::uint32_t index) const { return {&scene_.groups[index], &store_.groups[index]}; }
   Home home(const ExplainedPath& path) const;
-  Transform transform(std::uint32_t index) const {
-    return index == 0 ? Transform() : scene_.transforms[index - 1];
-  }
   ExplainedTexture texture(std::uint32_t index) const;
   std::optional<ExplainedCrossings> crossings(const ShapeId& shape, const ExplainedPath& path,
                                               const HitPath& from, const Level<float>& level,

@@ -3,6 +3,8 @@
 
 #include <type_traits>
 
+#include "scene/bounds_of.hpp"
+
 namespace zraka {
 namespace {
 
@@ -57,17 +59,21 @@ std::int32_t kind_of_member(const AnyBody& body) {
 }
 
 /// Counts down to the member that is looked for; true once it is there.
-bool look_for(const Csg& csg, std::size_t& left, ExplainedMember& found) {
+bool look_for(const Scene& scene, const Csg& csg, std::size_t& left, ExplainedMember& found) {
   for (std::size_t i = 0; i < csg.of.size(); ++i) {
     const CsgMember& member = csg.of[i];
     found.position.push_back(static_cast<std::uint32_t>(i + 1));
     if (const Csg* const inner = std::get_if<Csg>(&member.body)) {
-      if (look_for(*inner, left, found)) return true;
+      if (look_for(scene, *inner, left, found)) {
+        found.transform = then(found.transform, transform_at(scene, member.transform));
+        return true;
+      }
     } else if (left-- == 0) {
       found.operation = csg.operation;
       found.operands = static_cast<std::uint32_t>(csg.of.size());
       found.kind = kind_of_member(member.body);
       found.name = member.name;
+      found.transform = transform_at(scene, member.transform);
       return true;
     }
     found.position.pop_back();
@@ -76,6 +82,10 @@ bool look_for(const Csg& csg, std::size_t& left, ExplainedMember& found) {
 }
 
 }  // namespace
+
+Transform transform_at(const Scene& scene, std::uint32_t index) {
+  return index == 0 ? Transform() : scene.transforms[index - 1];
+}
 
 ShapeId shape_in_slot(const ShapeLists& shapes, const FrozenScene<float>& frozen,
                       std::int32_t slot) {
@@ -107,9 +117,9 @@ const Instance* instance_of(const ShapeLists& shapes, const ShapeId& id) {
   return id.kind == kind_of<Instance>() ? &shapes.instances[id.index].shape : nullptr;
 }
 
-ExplainedMember member_of(const Csg& csg, std::size_t i) {
+ExplainedMember member_of(const Scene& scene, const Csg& csg, std::size_t i) {
   ExplainedMember found;
-  look_for(csg, i, found);
+  look_for(scene, csg, i, found);
   return found;
 }
 

@@ -14,6 +14,9 @@ ShapeId shape_in_slot(const ShapeLists& shapes, const FrozenScene<float>& frozen
 
 NamedShape named(const ShapeLists& shapes, const ShapeId& id);
 
+/// From the space that something is described in, by Object::transform.
+Transform transform_at(const Scene& scene, std::uint32_t index);
+
 /// As Object::transform.
 std::uint32_t transform_of(const ShapeLists& shapes, const ShapeId& id);
 
@@ -23,6 +26,6 @@ const Instance* instance_of(const ShapeLists& shapes, const ShapeId& id);
 
 /// The i-th, from 0, of a CSG shape's members that are none themselves, in the order of the
 /// expression: as they are frozen.
-ExplainedMember member_of(const Csg& csg, std::size_t i);
+ExplainedMember member_of(const Scene& scene, const Csg& csg, std::size_t i);
 
 }  // namespace zraka
