@@ -357,6 +357,17 @@ TEST(LanguageGroups, MayBeInEachOtherTo32Levels) {
   EXPECT_NE(first_answer(chain(100000)), "") << "and no stack is used up";
 }
 
+/// Where a line is broken, what is missing may stand in it: nothing is said of that, and nothing
+/// that lacks it is used.
+TEST(LanguageShapes, AreNotMadeInBrokenFilesWhereTheyLackSomething) {
+  for (const char* const kind : {"instance", "mesh", "height_field", "union", "difference"}) {
+    const std::string text = fmt::format("[[shape]]\nkind = \"{}\"\n[image]\nwidth 3\n", kind);
+    EXPECT_EQ(answer_to(text),
+              "s.toml:4:7: error: '3' stands here: expected '=' behind the key\n  width 3\n        ^\n")
+        << kind;
+  }
+}
+
 TEST(LanguageShapes, AreWrittenSoThatTheyReadAsTheEqualScene) {
   const std::string turn = "transform = [{rotate = [1, 2, 3], by_deg = 40}, {scale = 2}]\n";
   expect_rewritten(

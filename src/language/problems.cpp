@@ -27,7 +27,10 @@ void Problems::warn(std::size_t position, std::string message, std::string hint)
 }
 
 void Problems::missing(std::size_t position, std::string message, std::string hint) {
-  if (!broken_) error(position, std::move(message), std::move(hint));
+  if (broken_)
+    ++errors_;  // not said, but whoever has read the thing must not use it
+  else
+    error(position, std::move(message), std::move(hint));
 }
 
 namespace {
