@@ -158,12 +158,12 @@ void count(const Scene& scene, const Words& words, const Ray& from_eye, std::vec
     ++(later ? counts.later_hits : counts.camera_hits);
 
     const Material& material = scene.materials[hit.material];
-    const bool glass = material.refraction > 0, two_sided = hit.flat && !glass;
+    const bool glass = material.refraction.most() > 0, two_sided = hit.flat && !glass;
     const Vec3 point = ray.origin + ray.direction * hit.distance, outward = unit(hit.normal);
     const bool inside = dot(outward, ray.direction) > 0 && !two_sided;
     const Vec3 facing = dot(outward, ray.direction) > 0 ? outward * -1 : outward;
 
-    for (const PointLight& light : scene.lights) {
+    for (const Light& light : scene.lights) {
       const Vec3 way = light.position - point;
       if (dot(words.outward_normals && !two_sided ? outward : facing, way) <= 0) continue;
       ++counts.shadow_rays;
@@ -173,7 +173,7 @@ void count(const Scene& scene, const Words& words, const Ray& from_eye, std::vec
     if (ray.level == words.levels) continue;
 
     const double cosine = -dot(facing, ray.direction);
-    if (material.reflection > 0 || (glass && words.glass_reflects))
+    if (material.reflection.most() > 0 || (glass && words.glass_reflects))
       waiting.push_back({point, unit(ray.direction + facing * (2 * cosine)), ray.level + 1});
     const double ratio = inside ? material.ior : 1 / material.ior;
     const double square = 1 - ratio * ratio * (1 - cosine * cosine);

@@ -59,7 +59,7 @@ void add_ground_sphere(Scene& scene, double radius) {
 Scene upside_down(Scene scene) {
   const auto turn = [](Vec3& v) { v.y = -v.y; };
   turn(scene.camera.eye), turn(scene.camera.window_center), turn(scene.camera.window_up);
-  for (PointLight& light : scene.lights) turn(light.position);
+  for (Light& light : scene.lights) turn(light.position);
   for (auto& sphere : scene.spheres) turn(sphere.shape.center);
   return scene;
 }

@@ -79,7 +79,7 @@ Scene moved(Scene scene, double by, double scale) {
   point(scene.camera.window_center);
   vector(scene.camera.window_right);
   vector(scene.camera.window_up);
-  for (PointLight& light : scene.lights) point(light.position);
+  for (Light& light : scene.lights) point(light.position);
   for (auto& sphere : scene.spheres) {
     point(sphere.shape.center);
     sphere.shape.radius *= scale;

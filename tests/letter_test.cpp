@@ -63,10 +63,10 @@ TEST(Letter, HasVariedMaterials) {
   const Scene scene = generate_letter("M", {}).value();
   int mirrors = 0, glasses = 0, matt = 0;
   for (const Material& m : scene.materials) {
-    mirrors += m.reflection >= 0.5;
-    glasses += m.refraction > 0;
+    mirrors += m.reflection.r >= 0.5;
+    glasses += m.refraction.r > 0;
     matt += m.reflection == 0 && m.refraction == 0;
-    EXPECT_LE(m.reflection + m.refraction, 1);
+    EXPECT_LE(m.reflection.r + m.refraction.r, 1);
   }
   EXPECT_GT(mirrors, 0);
   EXPECT_GT(glasses, 0);

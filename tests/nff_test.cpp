@@ -47,7 +47,7 @@ std::string told(const Result<ReadScene>& read) {
   const Scene& s = read->scene;
   const auto add = [&](const Vec3& v) { all += fmt::format("{} {} {} ", v.x, v.y, v.z); };
   for (const Material& m : s.materials)
-    all += fmt::format("{} {} {}\n", m.diffuse.r, m.refraction, m.ior);
+    all += fmt::format("{} {} {}\n", m.diffuse.r, m.refraction.r, m.ior);
   for (const auto& [shape, material, transform] : s.spheres)
     add(shape.center), all += fmt::format("{} {}\n", shape.radius, material);
   for (const auto& [shape, material, transform] : s.cones)
@@ -56,7 +56,7 @@ std::string told(const Result<ReadScene>& read) {
     add(shape.a), add(shape.b), add(shape.c), all += fmt::format("{}\n", material);
   for (const auto& [shape, material, transform] : s.smooth_triangles)
     add(shape.a), add(shape.normal_c), all += fmt::format("{}\n", material);
-  for (const PointLight& l : s.lights) add(l.position), all += fmt::format("{}\n", l.color.g);
+  for (const Light& l : s.lights) add(l.position), all += fmt::format("{}\n", l.color.g);
   return all;
 }
 

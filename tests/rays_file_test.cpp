@@ -111,7 +111,7 @@ TEST(RaysFile, IsAGltf) {
   Scene scene = small_scene();
   const double far = 1e6;
   scene.camera.eye.x += far, scene.camera.window_center.x += far;
-  for (PointLight& light : scene.lights) light.position.x += far;
+  for (Light& light : scene.lights) light.position.x += far;
   for (auto& sphere : scene.spheres) sphere.shape.center.x += far;
   const std::vector<Segment> segments = segments_of(scene, explain(scene, lab(), 50, 50).value());
   const auto gltf = nlohmann::json::parse(rays_as_gltf(segments));

@@ -30,8 +30,8 @@ struct Facts {
 Facts facts_of(const Scene& scene) {
   Facts facts;
   for (const Material& m : scene.materials) {
-    facts.mirrors += m.reflection != 0;
-    facts.glasses += m.refraction != 0;
+    facts.mirrors += m.reflection.most() != 0;
+    facts.glasses += m.refraction.most() != 0;
   }
   const Whereabouts where(scene);
 #define ZRAKA_INCLUDE(Type, plural)       \
@@ -52,7 +52,7 @@ void print_json(const Scene& scene, const Facts& facts) {
                {"resolution", {scene.resolution.width, scene.resolution.height}},
                {"eye", json_of(scene.camera.eye)}};
   json["lights"] = Json::array();
-  for (const PointLight& light : scene.lights) json["lights"].push_back(json_of(light.position));
+  for (const Light& light : scene.lights) json["lights"].push_back(json_of(light.position));
 #define ZRAKA_COUNT(Type, plural) json["shapes"][ShapeTraits<Type>::kName] = scene.plural.size();
   ZRAKA_SHAPES(ZRAKA_COUNT)
 #undef ZRAKA_COUNT
@@ -73,7 +73,7 @@ void print_text(const Scene& scene, const Facts& facts) {
              name_of(scene.defaults.profile));
   fmt::print("picture     {} × {} pixels\n", scene.resolution.width, scene.resolution.height);
   fmt::print("eye         {}\n", text_of(scene.camera.eye));
-  for (const PointLight& light : scene.lights)
+  for (const Light& light : scene.lights)
     fmt::print("light       {}\n", text_of(light.position));
 #define ZRAKA_COUNT(Type, plural) fmt::print("{:<11} {}\n", #plural, grouped(scene.plural.size()));
   ZRAKA_SHAPES(ZRAKA_COUNT)

@@ -39,7 +39,7 @@ const Texture* checker_of(const Scene& scene, const Material& m) {
 
 std::string texture(const Scene& scene, const Material& m) {
   // A share that is transmitted is taken from diffuse and ambient light; ours is not.
-  const double through = std::min(m.refraction, 0.999), rest = 1 / (1 - through);
+  const double through = std::min(m.refraction.r, 0.999), rest = 1 / (1 - through);
   const auto share = [](double ka, double kd) { return kd > 0 ? ka / kd : 0; };
   const double kd = mean(m.diffuse);
   const Color pigment = kd > 0 ? m.diffuse : m.ambient;
@@ -63,9 +63,9 @@ std::string texture(const Scene& scene, const Material& m) {
   }
   if (mean(m.specular) > 0)
     out.add("phong {:.9g} phong_size {:.9g} ", mean(m.specular), std::max(m.shininess, 1e-3));
-  if (m.reflection > 0) out.add("reflection {:.9g} ", m.reflection);
+  if (m.reflection.r > 0) out.add("reflection {:.9g} ", m.reflection.r);
   out.add("}} }}");
-  if (m.refraction > 0) out.add(" interior {{ ior {:.9g} }}", m.ior);
+  if (m.refraction.r > 0) out.add(" interior {{ ior {:.9g} }}", m.ior);
   return out.str();
 }
 
@@ -91,7 +91,7 @@ std::string translate(const Scene& scene) {
   add_camera(scene, out);
   out.add("background {{ rgb <{:.9g},{:.9g},{:.9g}> }}\n", scene.background.r, scene.background.g,
           scene.background.b);
-  for (const PointLight& light : scene.lights)
+  for (const Light& light : scene.lights)
     out.add("light_source {{ {} rgb <{:.9g},{:.9g},{:.9g}> {} }}\n", vector(light.position),
             light.color.r, light.color.g, light.color.b,
             scene.defaults.shadows == Shadows::off ? "shadowless" : "");

@@ -41,7 +41,7 @@ void add_material(const Material& m, double ambient_light, std::size_t number, T
   const Color color = kd > 0 ? m.diffuse : m.ambient;
   const double ambient = ambient_light * (kd > 0 ? mean(m.ambient) / kd : 1);
   out.add("TEXDEF m{} AMBIENT {:.9g} DIFFUSE {} SPECULAR {:.9g} OPACITY {:.9g} ", number, ambient,
-          kd > 0 ? 1 : 0, m.reflection, 1 - m.refraction);
+          kd > 0 ? 1 : 0, m.reflection.r, 1 - m.refraction.r);
   out.add("PHONG PLASTIC {:.9g} PHONG_SIZE {:.9g} ", mean(m.specular), m.shininess);
   out.add("COLOR {:.9g} {:.9g} {:.9g} TEXFUNC 0\n", color.r, color.g, color.b);
 }
@@ -56,7 +56,7 @@ std::string translate(const Scene& scene) {
   add_camera(scene, out);
   out.add("BACKGROUND {:.9g} {:.9g} {:.9g}\n", scene.background.r, scene.background.g,
           scene.background.b);
-  for (const PointLight& light : scene.lights) {
+  for (const Light& light : scene.lights) {
     // Lights are spheres that rays see: too small for that.
     add_point("LIGHT CENTER", light.position, out);
     out.add("RAD 1e-6 COLOR {:.9g} {:.9g} {:.9g}\n", light.color.r, light.color.g, light.color.b);

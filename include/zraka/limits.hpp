@@ -13,6 +13,10 @@ inline constexpr int kMaxDepth = 200;
 /// The rays of a pixel's tree that can be explained, and its terms of light (rays times lights).
 inline constexpr int kMaxExplainedRays = 1 << 14;
 inline constexpr std::uint64_t kMaxExplainedTerms = std::uint64_t{1} << 18;
+/// Rays that one splits into at a dispersive body; samples of a pixel, of a light, of ambient
+/// occlusion.
+inline constexpr int kMaxWavelengths = 64;
+inline constexpr int kMaxSamples = 65536;
 /// The largest side of a tile, in pixels.
 inline constexpr int kMaxTile = 64;
 /// Instances of groups that hold instances: how many deep.

@@ -66,6 +66,10 @@ struct RenderOptions {
   Terms terms{};
   Profile profile = profile_of(ProfileName::physical);
   int max_depth = 4;  ///< levels of rays after the first: 0…kMaxDepth
+  Shadows shadows = Shadows::opaque;  ///< off as without Terms::shadows
+  double min_contribution = 0;        ///< RenderDefaults::min_contribution
+  int wavelengths = 12;               ///< 1…kMaxWavelengths
+  Sampling sampling{};
   int threads = 0;    ///< 0: as many as the machine has
   /// May each thread, the caller's too, be bound to a processor while it works? Faster in a program
   /// that does nothing else meanwhile.

@@ -8,7 +8,11 @@
 #include <map>
 #include <string>
 #include <vector>
+#include <zraka/cameras.hpp>
+#include <zraka/lights.hpp>
 #include <zraka/limits.hpp>
+#include <zraka/optics.hpp>
+#include <zraka/sampling.hpp>
 #include <zraka/shapes.hpp>
 #include <zraka/textures.hpp>
 #include <zraka/values.hpp>
@@ -21,11 +25,18 @@ struct Material {
   Color diffuse{0.7, 0.7, 0.7};  ///< kd
   Color specular{};              ///< ks
   double shininess = 10;         ///< n, the exponent of the highlight
-  double reflection = 0;         ///< k1, share of the reflected ray
-  double refraction = 0;         ///< k2, share of the refracted ray
+  Share reflection{};            ///< k1, share of the reflected ray
+  Share refraction{};            ///< k2, share of the refracted ray
   /// ni. The lab profile takes it as n1/n2 on entry (sheet 3.5), the physical profile as the index
   /// of refraction of what is inside.
   double ior = 1;
+  Highlight highlight = Highlight::phong;
+  Fresnel fresnel = Fresnel::off;
+  Color absorption{};  ///< of the inside, per unit of length: exp(-a·d) is left (Beer–Lambert)
+  /// Where bodies overlap, the inside of the higher one counts (Schmidt and Budge 2002). If no
+  /// material of a scene has one, what a ray leaves for is always the outside, as in the lab.
+  int priority = 0;
+  Dispersion dispersion{};
   std::vector<TextureUse> textures{};  ///< coefficients that textures give, each at most once
   NormalUse normals{};
   friend bool operator==(const Material&, const Material&) = default;
@@ -50,19 +61,6 @@ struct ShapeId {
   friend auto operator<=>(const ShapeId&, const ShapeId&) = default;
 };
 
-struct PointLight {
-  Vec3 position;
-  Color color{1, 1, 1};
-};
-
-/// A pinhole looking through a window: rays go from the eye through points of a rectangle.
-struct Camera {
-  Vec3 eye{0, 0, 2};
-  Vec3 window_center;
-  Vec3 window_right{2, 0, 0};  ///< from the window's left edge to its right edge
-  Vec3 window_up{0, 2, 0};     ///< from the window's lower edge to its upper edge
-};
-
 struct Resolution {
   std::uint32_t width = 400;
   std::uint32_t height = 400;
@@ -73,13 +71,21 @@ struct Resolution {
 enum class ProfileName { lab, physical, spd };
 
 /// What shadow rays do.
-enum class Shadows { opaque, off };
+enum class Shadows {
+  opaque,      ///< whatever they meet keeps the light away
+  off,         ///< there are none
+  transparent  ///< each body that they pass takes its share of the light (sheet 8.4)
+};
 
 /// How a scene is rendered where nobody says it.
 struct RenderDefaults {
   ProfileName profile = ProfileName::physical;  ///< what the file's format is drawn with
   int max_depth = 4;
   Shadows shadows = Shadows::opaque;
+  /// Children that can bring a pixel less than this are not traced (sheet 8.3); 0: all are.
+  double min_contribution = 0;
+  int wavelengths = 12;  ///< into how many a ray splits that a dispersive body refracts
+  Sampling sampling{};
   friend bool operator==(const RenderDefaults&, const RenderDefaults&) = default;
 };
 
@@ -106,7 +112,9 @@ struct Scene : ShapeLists {
   Resolution resolution;
   Color background;
   Color ambient_light{0.5, 0.5, 0.5};  ///< Ia
-  std::vector<PointLight> lights;
+  AmbientOcclusion ambient_occlusion{};
+  Sky sky{};
+  std::vector<Light> lights;
   std::vector<Material> materials;
   std::vector<Transform> transforms;  ///< that shapes name
   std::vector<Group> groups;

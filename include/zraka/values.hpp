@@ -16,4 +16,15 @@ struct Color {
   friend bool operator==(const Color&, const Color&) = default;
 };
 
+/// A share of the light, of each channel; a number is the same for all three.
+struct Share : Color {
+  constexpr Share(double grey = 0) : Color{grey, grey, grey} {}
+  constexpr Share(const Color& color) : Color(color) {}
+  constexpr bool is_grey() const { return r == g && g == b; }
+  constexpr double most() const { return r > g ? (r > b ? r : b) : (g > b ? g : b); }
+  friend constexpr bool operator==(const Share& a, const Share& b) {
+    return a.r == b.r && a.g == b.g && a.b == b.b;
+  }
+};
+
 }  // namespace zraka

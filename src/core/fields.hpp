@@ -178,7 +178,7 @@ constexpr FieldKind kind_of() {
     return FieldKind::choice;
   else if constexpr (std::is_same_v<M, Vec3>)
     return FieldKind::vector;
-  else if constexpr (std::is_same_v<M, Color>)
+  else if constexpr (std::is_same_v<M, Color> || std::is_same_v<M, Share>)
     return FieldKind::color;
   else if constexpr (std::is_same_v<M, std::string>)
     return FieldKind::text;
@@ -212,6 +212,8 @@ FieldValue value_of(const M& member) {
     return Chosen{static_cast<int>(member)};
   else if constexpr (numbers_of<M> != 0)
     return Numbers(member.begin(), member.end());
+  else if constexpr (std::is_same_v<M, Share>)
+    return static_cast<const Color&>(member);
   else
     return member;
 }
@@ -228,6 +230,8 @@ void put_into(M& member, FieldValue&& value) {
     member = static_cast<M>(std::get<Chosen>(value).index);
   else if constexpr (numbers_of<M> != 0)
     std::copy_n(std::get<Numbers>(value).begin(), numbers_of<M>, member.begin());
+  else if constexpr (std::is_same_v<M, Share>)
+    member = std::get<Color>(value);
   else
     member = std::get<M>(std::move(value));
 }

@@ -91,12 +91,19 @@ struct Scratch {
   std::int32_t* shadow_ray_hit;
 };
 
+/// Which sample of which pixel a ray of level 0 is.
+struct CameraSample {
+  std::int32_t x, y;
+  std::uint32_t number;
+};
+
 /// One thread's memory, made once and used for tile after tile (render/workspace.hpp).
 template <class R>
 struct Workspace {
   Level<R>* levels;  ///< max_depth + 1
   Scratch<R> scratch;
   std::int32_t batch;  ///< at least the pixels of a tile
+  CameraSample* samples;  ///< of level 0's rays, for trace_rays()
 };
 
 /// What the steps compute on their way and keep nowhere else, by hit. A vector or a colour takes
@@ -151,6 +158,11 @@ struct Kernel {
   void (*trace_tile)(const FrozenScene<R>& scene, const TraceSettings& settings,
                      const TileRect& tile, Workspace<R>& workspace, RayCounts& counts,
                      float* pixels, std::size_t stride);
+  /// Traces the rays that stand in level 0: at most a batch of them, with their origins, unit
+  /// directions and samples, in textured scenes their cones' widths and spreads, too. Their colours
+  /// are there afterwards.
+  void (*trace_rays)(const FrozenScene<R>& scene, const TraceSettings& settings,
+                     Workspace<R>& workspace, RayCounts& counts);
   int lanes;
 };
 

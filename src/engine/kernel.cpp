@@ -30,7 +30,14 @@ void render_tile(const FrozenScene<Lanes::Real>& scene, const TraceSettings& set
   trace_tile<Lanes>(scene, settings, tile, workspace, counts, pixels, stride);
 }
 
+void render_rays(const FrozenScene<Lanes::Real>& scene, const TraceSettings& settings,
+                 Workspace<Lanes::Real>& workspace, RayCounts& counts) {
+  workspace.levels[0].done = 0;
+  counts.camera += static_cast<std::uint64_t>(workspace.levels[0].ray_count);
+  trace_trees<Lanes>(scene, settings, workspace, counts);
+}
+
 extern const Kernel<Lanes::Real> kKernel;
-const Kernel<Lanes::Real> kKernel = {render_tile, static_cast<int>(Lanes::kWidth)};
+const Kernel<Lanes::Real> kKernel = {render_tile, render_rays, static_cast<int>(Lanes::kWidth)};
 
 }  // namespace zraka::ZRAKA_ISA

@@ -40,7 +40,7 @@ Result<std::string> write_lab_input(const Scene& scene) {
     fmt::format_to(out, "\t<polozaj => {}, {}, {}:\n\t<radius => {}:\n", s.center.x, s.center.y,
                    s.center.z, s.radius);
     fmt::format_to(out, "\t<udio reflektirane zrake => {}:\n\t<udio refraktirane zrake => {}:\n",
-                   m.reflection, m.refraction);
+                   m.reflection.r, m.refraction.r);
     const auto color = [&](const char* label, const Color& c) {
       fmt::format_to(out, "\t<{} => {}, {}, {}:\n", label, c.r, c.g, c.b);
     };

@@ -85,9 +85,9 @@ void Writer::write_material(std::uint32_t index) {
   losses_.count("materials: another ambient share than the diffuse one", m.ambient != c);
   losses_.count("materials: the highlight's colour", m.specular != Color{ks, ks, ks});
   losses_.count("materials: another share of the reflected ray than of the highlight",
-                m.reflection != ks);
+                !(m.reflection == ks));
   losses_.textures(m);
-  put(fmt::format("f {} 1 {} {} {} {}\n", words(c), ks, m.shininess, m.refraction, m.ior));
+  put(fmt::format("f {} 1 {} {} {} {}\n", words(c), ks, m.shininess, m.refraction.r, m.ior));
 }
 
 void Writer::write(const Sphere& s) {
@@ -122,7 +122,7 @@ Result<WrittenScene> Writer::write() {
                    "NFF cannot say where this scene's window is: it knows those that the eye "
                    "looks at straight");
   put(fmt::format("b {}\n{}", words(scene_.background), *view));
-  for (const PointLight& light : scene_.lights)
+  for (const Light& light : scene_.lights)
     put(fmt::format("l {} {}\n", words(light.position), words(light.color)));
   const auto n = static_cast<double>(std::max<std::size_t>(1, scene_.lights.size()));
   const double ambient = std::sqrt(n) / (2 * n);

@@ -125,7 +125,7 @@ bool NffReader::read_view() {
 }
 
 bool NffReader::read_light() {
-  PointLight light;
+  Light light;
   if (!vector(light.position, "the light's place")) return false;
   if (number_on_line()) {
     if (!number(light.color.r, "the light's red") || !number(light.color.g, "the light's green") ||

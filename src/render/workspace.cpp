@@ -28,8 +28,10 @@ class Layout {
 };
 
 template <class R>
-void place_all(Layout& layout, Level<R>* levels, int level_count, Scratch<R>& s,
+void place_all(Layout& layout, Level<R>* levels, int level_count, Workspace<R>& workspace,
                std::size_t batch, bool textured, bool recorded) {
+  Scratch<R>& s = workspace.scratch;
+  layout.place(batch, workspace.samples);
   layout.place(batch, s.t, s.px, s.py, s.pz, s.nx, s.ny, s.nz, s.vx, s.vy, s.vz, s.offset, s.inside,
                s.lx, s.ly, s.lz, s.lit);
   layout.place(batch, s.sox, s.soy, s.soz, s.sdx, s.sdy, s.sdz, s.sdistance);
@@ -65,12 +67,12 @@ WorkspaceMemory<R>::WorkspaceMemory(std::int32_t batch, int max_depth, bool text
     : levels_(std::make_unique<Level<R>[]>(static_cast<std::size_t>(max_depth) + 1)) {
   const auto size = static_cast<std::size_t>(batch);
   Layout sizes(nullptr);
-  place_all(sizes, levels_.get(), max_depth + 1, workspace_.scratch, size, textured,
+  place_all(sizes, levels_.get(), max_depth + 1, workspace_, size, textured,
             recorded);
   memory_.reset(
       static_cast<std::byte*>(::operator new[](sizes.used(), std::align_val_t{kCacheLine})));
   Layout layout(memory_.get());
-  place_all(layout, levels_.get(), max_depth + 1, workspace_.scratch, size, textured,
+  place_all(layout, levels_.get(), max_depth + 1, workspace_, size, textured,
             recorded);
   if (textured)
     for (std::int32_t i = 0; i < batch; ++i) workspace_.scratch.own_row[i] = i;

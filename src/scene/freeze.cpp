@@ -66,8 +66,8 @@ void freeze_material(const Material& m, const Profile& profile, R* row) {
   put(kDiffuse, m.diffuse);
   put(kSpecular, m.specular);
   row[kShininess] = narrow<R>(m.shininess);
-  row[kReflection] = narrow<R>(m.reflection);
-  row[kRefraction] = narrow<R>(m.refraction);
+  row[kReflection] = narrow<R>(m.reflection.r);
+  row[kRefraction] = narrow<R>(m.refraction.r);
   const double into = profile.index_is_ratio ? m.ior : 1 / m.ior;
   row[kRatioIn] = narrow<R>(into);
   row[kRatioOut] = narrow<R>(1 / into);
@@ -364,7 +364,7 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
   frozen.background = narrow<R>(scene.background);
   frozen.ambient_light = narrow<R>(scene.ambient_light);
 
-  for (const PointLight& light : scene.lights)
+  for (const Light& light : scene.lights)
     store->lights.push_back(
         {narrow<R>(within_reach(frame.point(light.position))), narrow<R>(light.color)});
   frozen.lights = store->lights.data();

@@ -103,10 +103,13 @@ void lint_materials(const Scene& scene, Diagnostics& all) {
       specular.say([&] {
         return fmt::format("{}: its specular share is {}, over 1", material_of(scene, i), ks);
       });
-    if (m.reflection + m.refraction > 1)
+    const double sum = Share(Color{m.reflection.r + m.refraction.r, m.reflection.g + m.refraction.g,
+                                   m.reflection.b + m.refraction.b})
+                           .most();
+    if (sum > 1)
       shares.say([&] {
         return fmt::format("{}: the shares of the reflected and the refracted ray are {}, over 1",
-                           material_of(scene, i), m.reflection + m.refraction);
+                           material_of(scene, i), sum);
       });
   }
 }

@@ -41,8 +41,8 @@ void add_material(const Material& m, const Color& light, std::vector<float>& row
                                        specular.y,
                                        specular.z,
                                        static_cast<float>(m.shininess),
-                                       static_cast<float>(m.reflection),
-                                       static_cast<float>(m.refraction),
+                                       static_cast<float>(m.reflection.r),
+                                       static_cast<float>(m.refraction.r),
                                        1 / index,
                                        index};
   rows.insert(rows.end(), row, row + kMaterialColumns);
@@ -163,7 +163,7 @@ World::World(Scene scene, Spheres how, const std::string& isa)
   down = up * (-1 / static_cast<float>(height));
   first = narrow(camera.window_center) - eye + up * 0.5f - across * 0.5f;
   background = narrow(scene.background);
-  for (const PointLight& light : scene.lights)
+  for (const Light& light : scene.lights)
     lights.push_back({narrow(light.position), narrow(light.color)});
   for (const Material& material : scene.materials)
     add_material(material, scene.ambient_light, materials);

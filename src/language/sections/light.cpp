@@ -5,19 +5,19 @@
 namespace zraka::language {
 namespace {
 
-void put(PointLight& light, Item& item) {
+void put(Light& light, Item& item) {
   item.input.scene.lights.push_back(light);
 }
 
 constexpr Field kPointFields[] = {
-    field<&PointLight::position>("position",
+    field<&Light::position>("position",
                                  {.text = "where it is", .unit = Unit::point, .required = true}),
-    field<&PointLight::color>("color",
+    field<&Light::color>("color",
                               {.text = "its intensity", .range = at_least(0), .symbol = "Ii"}),
     only("attenuation", Vec3{1, 0, 0},
          "[c, l, q]: at the distance d the light is divided by c + l·d + q·d²"),
 };
-constexpr Kind kPoint = kind_of<PointLight, put>(
+constexpr Kind kPoint = kind_of<Light, put>(
     "point", "point light", "Shines from a point into all directions.", kPointFields);
 constexpr const Kind* kKinds[] = {&kPoint};
 constexpr std::string_view kNotBuilt[] = {"directional", "spot", "rectangle", "disc", "sphere"};
@@ -28,7 +28,7 @@ void read(const toml::Node& node, Input& input) {
 }
 
 void write(Output& output) {
-  for (const PointLight& light : output.scene.lights)
+  for (const Light& light : output.scene.lights)
     write_table("[[light]]", true, kPoint.table, kPoint.table.name, &light, output.text);
 }
 

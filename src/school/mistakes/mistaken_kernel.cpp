@@ -18,6 +18,8 @@ void mistaken_tile(const FrozenScene<float>& scene, const TraceSettings& setting
                         steps_for(settings));
 }
 
-const Kernel<float> kMistakenKernel = {mistaken_tile, static_cast<int>(WideLanes::kWidth)};
+// Lessons have one ray a pixel.
+const Kernel<float> kMistakenKernel = {mistaken_tile, nullptr,
+                                       static_cast<int>(WideLanes::kWidth)};
 
 }  // namespace zraka::ZRAKA_ISA

@@ -61,10 +61,10 @@ void misread(Scene& scene, Mistake mistake, const Terms& terms) {
       each_material([](Material& m) { std::swap(m.reflection, m.refraction); });
       break;
     case Mistake::reflection_unweighted:
-      each_material([](Material& m) { m.reflection = m.reflection > 0 ? 1 : 0; });
+      each_material([](Material& m) { m.reflection = m.reflection.most() > 0 ? 1 : 0; });
       break;
     case Mistake::refraction_unweighted:
-      each_material([](Material& m) { m.refraction = m.refraction > 0 ? 1 : 0; });
+      each_material([](Material& m) { m.refraction = m.refraction.most() > 0 ? 1 : 0; });
       break;
     case Mistake::ratio_inverted:
       each_material([](Material& m) { m.ior = 1 / m.ior; });
