@@ -32,7 +32,7 @@ Image every_ray_traced(const PreparedScene<float>& prepared, const Resolution& r
   WorkspaceMemory<float> memory(static_cast<std::int32_t>(width * height), options.max_depth, false);
   RayCounts counts;
   kernel_of(*options.isa)
-      .trace_tile(prepared.store->scene, settings_of(options, prepared.frame),
+      .trace_tile(prepared.store->scene, settings_of(options, prepared),
                   {0, 0, static_cast<std::int32_t>(width), static_cast<std::int32_t>(height)},
                   memory.workspace(), counts, image.pixels.data(), width);
   return average ? means_of_corners(std::move(image)) : image;
@@ -50,7 +50,7 @@ RenderOptions one_level(ProfileName profile) {
 /// Renders, and compares with every ray; of how many pixels rays were traced, or none where the
 /// pictures differ.
 std::optional<int> traced_alike(const Scene& scene, const RenderOptions& options) {
-  const auto prepared = prepare<float>(scene, options.profile);
+  const auto prepared = prepare<float>(scene, options);
   const Image want = every_ray_traced(prepared, scene.resolution, options);
   const Result<Rendering> got = render(scene, options);
   if (!got || got->image.pixels.size() != want.pixels.size() ||
@@ -139,7 +139,7 @@ TileRect part_with(const std::vector<Sphere>& spheres, const TileRect& tile = {0
   scene.camera.window_up = {0, 2, 0};
   scene.materials = {{}};
   for (const Sphere& sphere : spheres) scene.spheres.push_back({sphere, 0});
-  const auto prepared = prepare<float>(scene, profile_of(ProfileName::lab));
+  const auto prepared = prepare<float>(scene, {.profile = profile_of(ProfileName::lab)});
   return ScreenBounds(prepared.store->scene, 100, 100).part_of(tile);
 }
 

@@ -87,6 +87,7 @@ struct RenderOptions {
 /// that the picture asks for; where no shape can be seen, they are answered without being traced.
 struct RayCounts {
   std::uint64_t camera = 0, shadow = 0, reflected = 0, refracted = 0, hits = 0;
+  std::uint64_t cut = 0;  ///< rays not traced for their contribution
   std::uint64_t total() const { return camera + shadow + reflected + refracted; }
 };
 
@@ -98,6 +99,8 @@ struct RenderStats {
   std::uint64_t accel_bytes = 0;
   int threads = 0;
   Isa isa = Isa::portable;
+  /// What rays not traced can have taken from any pixel, at most, and from all in the mean.
+  double most_cut = 0, mean_cut = 0;
 };
 
 struct Rendering {

@@ -12,6 +12,14 @@
 
 namespace zraka {
 
+/// Into what a ray splits that a dispersive body refracts: the middles of equal parts of the
+/// visible spectrum, and how much of each channel comes from each part; of all together 1.
+struct Wavelengths {
+  int count = 0;
+  double um[kMaxWavelengths];          ///< in micrometres
+  float weight[kMaxWavelengths][3];
+};
+
 /// Everything besides the scene that a pixel's colour depends on.
 struct TraceSettings {
   Terms terms;
@@ -21,6 +29,12 @@ struct TraceSettings {
   /// For kernels whose rules vary: which of their variations, 0 for none.
   int variation = 0;
   float unit = 1;  ///< length of the engine's unit in the scene's
+  // Of the general engine.
+  bool transparent_shadows = false;
+  double min_contribution = 0;
+  double brightest = 0;  ///< no ray brings more, by any channel
+  std::uint32_t seed = 0;
+  Wavelengths wavelengths{};
 };
 
 /// A rectangle of pixels: columns [x, x + width), rows [y, y + height).
@@ -89,6 +103,7 @@ struct Scratch {
   R* lit;           ///< 1 where the light at hand reaches the hit, else 0
   R *sox, *soy, *soz, *sdx, *sdy, *sdz, *sdistance;  ///< by shadow ray
   std::int32_t* shadow_ray_hit;
+  std::int32_t* blocked;  ///< by shadow ray, for the general engine; else nullptr
 };
 
 /// Which sample of which pixel a ray of level 0 is.
@@ -150,6 +165,15 @@ struct Recording {
   void (*at_fold)(void* reader, const Level<R>& level);
 };
 
+/// What the general engine asks of an instruction set.
+template <class R>
+struct Services {
+  /// The hits of a level's batch and their surfaces, as the kernel finds them.
+  void (*find_hits)(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scratch);
+  /// Which of the first n shadow rays meet a shape before their end: scratch.blocked, 1 or 0.
+  void (*find_blocked)(const FrozenScene<R>& scene, std::size_t n, Scratch<R>& scratch);
+};
+
 /// One way to compute, for render/ to pick.
 template <class R>
 struct Kernel {
@@ -163,6 +187,7 @@ struct Kernel {
   /// are there afterwards.
   void (*trace_rays)(const FrozenScene<R>& scene, const TraceSettings& settings,
                      Workspace<R>& workspace, RayCounts& counts);
+  const Services<R>* services;
   int lanes;
 };
 
@@ -174,16 +199,20 @@ using RecordTile = void(const FrozenScene<R>& scene, const TraceSettings& settin
 
 // Defined by kernel.cpp, once per instruction set that the build has; and by record_kernel.cpp.
 namespace isa_avx512 {
+extern const Services<float> kServices;
 extern const Kernel<float> kKernel;
 }
 namespace isa_avx2 {
+extern const Services<float> kServices;
 extern const Kernel<float> kKernel;
 }
 namespace isa_portable {
+extern const Services<float> kServices;
 extern const Kernel<float> kKernel;
 RecordTile<float> record_tile;
 }  // namespace isa_portable
 namespace isa_oracle {
+extern const Services<double> kServices;
 extern const Kernel<double> kKernel;
 }
 

@@ -37,7 +37,9 @@ void render_rays(const FrozenScene<Lanes::Real>& scene, const TraceSettings& set
   trace_trees<Lanes>(scene, settings, workspace, counts);
 }
 
+extern const Services<Lanes::Real> kServices;
 extern const Kernel<Lanes::Real> kKernel;
-const Kernel<Lanes::Real> kKernel = {render_tile, render_rays, static_cast<int>(Lanes::kWidth)};
+const Kernel<Lanes::Real> kKernel = {render_tile, render_rays, &kServices,
+                                     static_cast<int>(Lanes::kWidth)};
 
 }  // namespace zraka::ZRAKA_ISA

@@ -92,9 +92,9 @@ Stand stand_for(const Scene& scene, RenderOptions options, Isa isa, const Variat
   Scene varied;
   if (variation.vary_scene) variation.vary_scene(varied = scene);
   PreparedScene<float> prepared = variation.vary_scene
-                                      ? prepare<float>(std::move(varied), options.profile)
-                                      : prepare<float>(scene, options.profile);
-  const TraceSettings settings = settings_of(options, prepared.frame, variation.number);
+                                      ? prepare<float>(std::move(varied), options)
+                                      : prepare<float>(scene, options);
+  const TraceSettings settings = settings_of(options, prepared, variation.number);
   return {scene,
           options,
           settings,

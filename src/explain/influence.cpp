@@ -257,7 +257,7 @@ Result<Influence> influence(const Scene& scene, const RenderOptions& options,
   if (const Result<Isa> isa = isa_to_listen_to(scene, options); !isa)
     return tl::make_unexpected(isa.error());
   try {
-    const PreparedScene<float> prepared = prepare<float>(scene, options.profile);
+    const PreparedScene<float> prepared = prepare<float>(scene, options);
     const FrozenScene<float>& frozen = prepared.store->scene;
     const Wanted wanted(scene, *prepared.store, shape);
     if (!wanted.exists()) return failure("", "the scene does not have this shape");
@@ -267,7 +267,7 @@ Result<Influence> influence(const Scene& scene, const RenderOptions& options,
     found.height = scene.resolution.height;
     found.pixels.resize(std::size_t{found.width} * found.height);
     const bool corners = options.profile.average_corners;
-    const TraceSettings settings = settings_of(options, prepared.frame);
+    const TraceSettings settings = settings_of(options, prepared);
     const auto readers = listen_to_tiles<WayReader>(
         scene.resolution, options,
         [&](std::int32_t batch) {

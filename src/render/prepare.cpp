@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "accel/build.hpp"
+#include "engine/general/wavelengths.hpp"
 
 namespace zraka {
 namespace {
@@ -29,15 +30,6 @@ Diagnostics check_request(const Scene& scene, const RenderOptions& options) {
   in_range("tile side", options.tile, 0, kMaxTile);
   for (Diagnostic& problem : check(scene)) found.push_back(std::move(problem));
   return found;
-}
-
-TraceSettings settings_of(const RenderOptions& options, const Frame& frame, int variation) {
-  return {options.terms,
-          options.max_depth,
-          options.profile.clamp_levels,
-          options.profile.mirror_when_total,
-          variation,
-          static_cast<float>(frame.world_length(1))};
 }
 
 namespace {
@@ -71,28 +63,65 @@ void finish(PreparedScene<R>& prepared) {
   add_hierarchy(store, prepared.hierarchy);
 }
 
+/// Whether what is asked for is beyond the lab's engine.
+bool has_optics(const RenderOptions& options) {
+  return options.shadows == Shadows::transparent || options.min_contribution > 0;
+}
+
+/// No ray brings more than this, by any channel.
+double brightest_of(const FrozenOptics& optics, const RenderOptions& options) {
+  double most = std::max(optics.most_sky, optics.most_local);
+  for (int level = 0; level < options.max_depth; ++level)
+    most = std::max(optics.most_sky, optics.most_local + optics.most_shares * most);
+  return options.profile.clamp_levels ? std::min(most, 1.0) : most;
+}
+
 }  // namespace
 
 template <class R>
-PreparedScene<R> prepare(const Scene& scene, const Profile& profile) {
+TraceSettings settings_of(const RenderOptions& options, const PreparedScene<R>& prepared,
+                          int variation) {
+  TraceSettings settings;
+  settings.terms = options.terms;
+  settings.terms.shadows = options.terms.shadows && options.shadows != Shadows::off;
+  settings.max_depth = options.max_depth;
+  settings.clamp_levels = options.profile.clamp_levels;
+  settings.mirror_when_total = options.profile.mirror_when_total;
+  settings.variation = variation;
+  settings.unit = static_cast<float>(prepared.frame.world_length(1));
+  const FrozenOptics* const optics = prepared.store->scene.optics;
+  if (optics == nullptr) return settings;
+  settings.transparent_shadows = options.shadows == Shadows::transparent;
+  settings.min_contribution = options.min_contribution;
+  settings.brightest = brightest_of(*optics, options);
+  settings.seed = options.sampling.seed;
+  settings.wavelengths = wavelengths_in(options.wavelengths);
+  return settings;
+}
+
+template <class R>
+PreparedScene<R> prepare(const Scene& scene, const RenderOptions& options) {
   PreparedScene<R> prepared{frame_of(scene), {}, nullptr};
-  prepared.store = freeze<R>(scene, profile, prepared.frame);
+  prepared.store = freeze<R>(scene, options.profile, prepared.frame, has_optics(options));
   finish(prepared);
   return prepared;
 }
 
 template <class R>
-PreparedScene<R> prepare(Scene&& scene, const Profile& profile) {
+PreparedScene<R> prepare(Scene&& scene, const RenderOptions& options) {
   PreparedScene<R> prepared{frame_of(scene), {}, nullptr};
-  prepared.store = freeze<R>(scene, profile, prepared.frame);
+  prepared.store = freeze<R>(scene, options.profile, prepared.frame, has_optics(options));
   scene = Scene();
   finish(prepared);
   return prepared;
 }
 
-template PreparedScene<float> prepare<float>(const Scene&, const Profile&);
-template PreparedScene<double> prepare<double>(const Scene&, const Profile&);
-template PreparedScene<float> prepare<float>(Scene&&, const Profile&);
-template PreparedScene<double> prepare<double>(Scene&&, const Profile&);
+#define ZRAKA_FOR(R)                                                                \
+  template PreparedScene<R> prepare<R>(const Scene&, const RenderOptions&);         \
+  template PreparedScene<R> prepare<R>(Scene&&, const RenderOptions&);              \
+  template TraceSettings settings_of(const RenderOptions&, const PreparedScene<R>&, int);
+ZRAKA_FOR(float)
+ZRAKA_FOR(double)
+#undef ZRAKA_FOR
 
 }  // namespace zraka

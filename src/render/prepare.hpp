@@ -14,8 +14,6 @@ namespace zraka {
 /// What is wrong with options or scene; empty when all is well.
 Diagnostics check_request(const Scene& scene, const RenderOptions& options);
 
-TraceSettings settings_of(const RenderOptions& options, const Frame& frame, int variation = 0);
-
 /// The scene as the engine reads it, and the memory behind it.
 template <class R>
 struct PreparedScene {
@@ -26,9 +24,13 @@ struct PreparedScene {
 
 /// Builds and freezes a scene that check_request() finds nothing wrong with.
 template <class R>
-PreparedScene<R> prepare(const Scene& scene, const Profile& profile);
+PreparedScene<R> prepare(const Scene& scene, const RenderOptions& options);
 /// The same; the scene is gone before the hierarchy needs its memory.
 template <class R>
-PreparedScene<R> prepare(Scene&& scene, const Profile& profile);
+PreparedScene<R> prepare(Scene&& scene, const RenderOptions& options);
+
+template <class R>
+TraceSettings settings_of(const RenderOptions& options, const PreparedScene<R>& prepared,
+                          int variation = 0);
 
 }  // namespace zraka

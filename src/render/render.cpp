@@ -6,6 +6,7 @@
 #include <tbb/info.h>
 
 #include <algorithm>
+#include <cmath>
 #include <chrono>
 #include <optional>
 #include <type_traits>
@@ -19,6 +20,9 @@
 #include "render/screen_bounds.hpp"
 #include "render/tiles.hpp"
 #include "render/variation.hpp"
+#include "engine/coefficients.hpp"
+#include "engine/tile_order.hpp"
+#include "render/tracer.hpp"
 #include "render/workspace.hpp"
 
 namespace zraka {
@@ -37,12 +41,14 @@ void add(RayCounts& sum, const RayCounts& more) {
   sum.reflected += more.reflected;
   sum.refracted += more.refracted;
   sum.hits += more.hits;
+  sum.cut += more.cut;
 }
 
 template <class R>
 struct Worker {
-  WorkspaceMemory<R> memory;
+  TracerMemory<R> memory;
   RayCounts counts;
+  double most_cut = 0, all_cut = 0;
 };
 
 std::uint64_t area_of(const TileRect& rect) {
@@ -68,6 +74,38 @@ void fill_around(const TileRect& part, const TileRect& tile, const std::vector<f
   }
 }
 
+template <class R>
+void trace_tile_generally(const Kernel<R>& kernel, const FrozenScene<R>& scene,
+                          const TraceSettings& settings, const TileRect& tile,
+                          Worker<R>& worker, RayCounts& counts, Image& image) {
+  TracerMemory<R>& memory = worker.memory;
+  Workspace<R>& workspace = memory.workspace();
+  RayArrays<R>& rays = workspace.levels[0].rays;
+  std::size_t i = 0;
+  const FrozenCamera<R>& c = scene.camera;
+  each_pixel(tile, [&](std::int32_t x, std::int32_t y) {
+    workspace.samples[i] = {tile.x + x, tile.y + y, 0};
+    V3<R> d = (c.first + c.down * static_cast<R>(tile.y + y)) + c.right * static_cast<R>(tile.x + x);
+    d = d * (R(1) / std::sqrt(dot(d, d)));
+    rays.ox[i] = c.eye.x, rays.oy[i] = c.eye.y, rays.oz[i] = c.eye.z;
+    rays.dx[i] = d.x, rays.dy[i] = d.y, rays.dz[i] = d.z;
+    ++i;
+  });
+  workspace.levels[0].ray_count = static_cast<std::int32_t>(i);
+  if (scene.textures != nullptr) start_cones(scene.camera, workspace.levels[0]);
+  trace_rays(kernel, scene, settings, memory, counts);
+  i = 0;
+  each_pixel(tile, [&](std::int32_t x, std::int32_t y) {
+    float* const out = pixel_of(image, tile.x + x, tile.y + y);
+    out[0] = static_cast<float>(rays.r[i]), out[1] = static_cast<float>(rays.g[i]);
+    out[2] = static_cast<float>(rays.b[i]);
+    const auto cut = static_cast<double>(memory.general->workspace().rays[0][i].cut);
+    worker.most_cut = std::max(worker.most_cut, cut);
+    worker.all_cut += cut;
+    ++i;
+  });
+}
+
 /// Renders all tiles of a frozen scene. False if it was cancelled.
 template <class R>
 bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
@@ -78,21 +116,23 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
   std::optional<ScreenBounds> bounds;
   std::vector<float> background;
   if constexpr (std::is_same_v<R, float>)
-    if (settings.variation == 0) {
+    if (settings.variation == 0 && scene.optics == nullptr) {
       bounds.emplace(scene, image.width, image.height);
       const V3<float>& color = scene.background;
       for (int i = 0; i < tile; ++i)
         background.insert(background.end(), {color.x, color.y, color.z});
     }
   tbb::enumerable_thread_specific<Worker<R>> workers([&] {
-    return Worker<R>{WorkspaceMemory<R>(tile * tile, settings.max_depth, scene.textures != nullptr), {}};
+    return Worker<R>{TracerMemory<R>(tile * tile, scene, settings), {}};
   });
   std::atomic<std::uint64_t> pixels_done{0}, rays_done{0};
   const auto render_tile = [&](const TileRect& rect) {
     Worker<R>& worker = workers.local();
     RayCounts counts;
     const TileRect part = bounds ? bounds->part_of(rect) : rect;
-    if (area_of(part) != 0)
+    if (scene.optics != nullptr)
+      trace_tile_generally(kernel, scene, settings, part, worker, counts, image);
+    else if (area_of(part) != 0)
       kernel.trace_tile(scene, settings, part, worker.memory.workspace(), counts,
                         pixel_of(image, part.x, part.y), image.width);
     if (area_of(part) != area_of(rect)) {
@@ -109,7 +149,13 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
   };
   const bool complete = each_tile(image.width, image.height, tile, threads, options.bind_threads,
                                   options.cancel, render_tile);
-  for (const Worker<R>& worker : workers) add(rendering.stats.rays, worker.counts);
+  double all_cut = 0;
+  for (const Worker<R>& worker : workers) {
+    add(rendering.stats.rays, worker.counts);
+    rendering.stats.most_cut = std::max(rendering.stats.most_cut, worker.most_cut);
+    all_cut += worker.all_cut;
+  }
+  rendering.stats.mean_cut = all_cut / static_cast<double>(std::uint64_t{image.width} * image.height);
   return complete;
 }
 
@@ -119,7 +165,7 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   const auto start = std::chrono::steady_clock::now();
   const Resolution resolution = scene.resolution;
   if (options.bind_threads && scene.shape_count() >= kManyShapes) spread_workers(threads);
-  const PreparedScene<R> prepared = prepare<R>(std::forward<SceneRef>(scene), options.profile);
+  const PreparedScene<R> prepared = prepare<R>(std::forward<SceneRef>(scene), options);
   rendering.stats.build_seconds = seconds_since(start);
   rendering.stats.scene_bytes = prepared.store->bytes();
   rendering.stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node) +
@@ -130,7 +176,7 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   rendering.image = Image(resolution.width + more, resolution.height + more);
   const auto traced = std::chrono::steady_clock::now();
   const bool complete =
-      render_tiles(prepared.store->scene, kernel, settings_of(options, prepared.frame, variation),
+      render_tiles(prepared.store->scene, kernel, settings_of(options, prepared, variation),
                    options, tile, threads, rendering);
   if (complete && options.profile.average_corners)
     rendering.image = means_of_corners(std::move(rendering.image));

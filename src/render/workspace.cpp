@@ -28,29 +28,32 @@ class Layout {
 };
 
 template <class R>
-void place_all(Layout& layout, Level<R>* levels, int level_count, Workspace<R>& workspace,
-               std::size_t batch, bool textured, bool recorded) {
+void place_all(Layout& layout, Level<R>* levels, Workspace<R>& workspace,
+               const WorkspaceNeeds& needs) {
+  const auto batch = static_cast<std::size_t>(needs.batch);
   Scratch<R>& s = workspace.scratch;
-  layout.place(batch, workspace.samples);
   layout.place(batch, s.t, s.px, s.py, s.pz, s.nx, s.ny, s.nz, s.vx, s.vy, s.vz, s.offset, s.inside,
                s.lx, s.ly, s.lz, s.lit);
   layout.place(batch, s.sox, s.soy, s.soz, s.sdx, s.sdy, s.sdz, s.sdistance);
   layout.place(batch, s.slot, s.material, s.shadow_ray_hit);
-  if (textured) {
+  layout.place(batch, workspace.samples);
+  if (needs.textured) {
     layout.place(batch * kMaterialReals, s.own_rows);
     layout.place(batch, s.own_row);
-    layout.place(batch, s.paths);
     layout.place(batch, s.details);
   }
-  if (recorded) layout.place(batch, s.smooth_x, s.smooth_y, s.smooth_z);
-  for (int i = 0; i < level_count; ++i) {
+  if (needs.textured || needs.general) layout.place(batch, s.paths);
+  if (needs.general) layout.place(batch, s.blocked);
+  if (needs.recorded) layout.place(batch, s.smooth_x, s.smooth_y, s.smooth_z);
+  const std::size_t rays_of_level = batch * static_cast<std::size_t>(needs.children);
+  for (int i = 0; i <= needs.max_depth; ++i) {
     RayArrays<R>& rays = levels[i].rays;
-    layout.place(2 * batch, rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, rays.r, rays.g,
+    layout.place(rays_of_level, rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, rays.r, rays.g,
                  rays.b);
     HitArrays<R>& hits = levels[i].hits;
     layout.place(batch, hits.r, hits.g, hits.b, hits.reflection, hits.refraction);
     layout.place(batch, hits.ray, hits.reflected, hits.refracted);
-    if (textured) layout.place(2 * batch, rays.width, rays.spread);
+    if (needs.textured) layout.place(rays_of_level, rays.width, rays.spread);
   }
 }
 
@@ -62,22 +65,18 @@ void WorkspaceMemory<R>::Free::operator()(std::byte* p) const {
 }
 
 template <class R>
-WorkspaceMemory<R>::WorkspaceMemory(std::int32_t batch, int max_depth, bool textured,
-                                    bool recorded)
-    : levels_(std::make_unique<Level<R>[]>(static_cast<std::size_t>(max_depth) + 1)) {
-  const auto size = static_cast<std::size_t>(batch);
+WorkspaceMemory<R>::WorkspaceMemory(const WorkspaceNeeds& needs)
+    : levels_(std::make_unique<Level<R>[]>(static_cast<std::size_t>(needs.max_depth) + 1)) {
   Layout sizes(nullptr);
-  place_all(sizes, levels_.get(), max_depth + 1, workspace_, size, textured,
-            recorded);
+  place_all(sizes, levels_.get(), workspace_, needs);
   memory_.reset(
       static_cast<std::byte*>(::operator new[](sizes.used(), std::align_val_t{kCacheLine})));
   Layout layout(memory_.get());
-  place_all(layout, levels_.get(), max_depth + 1, workspace_, size, textured,
-            recorded);
-  if (textured)
-    for (std::int32_t i = 0; i < batch; ++i) workspace_.scratch.own_row[i] = i;
+  place_all(layout, levels_.get(), workspace_, needs);
+  if (needs.textured)
+    for (std::int32_t i = 0; i < needs.batch; ++i) workspace_.scratch.own_row[i] = i;
   workspace_.levels = levels_.get();
-  workspace_.batch = batch;
+  workspace_.batch = needs.batch;
 }
 
 template class WorkspaceMemory<float>;

@@ -8,13 +8,23 @@
 
 namespace zraka {
 
+/// What arrays there must be.
+struct WorkspaceNeeds {
+  std::int32_t batch = 0;  ///< tiles of at most so many pixels
+  int max_depth = 0;
+  bool textured = false;
+  bool recorded = false;  ///< with what only explanations read
+  bool general = false;   ///< with what only the general engine uses
+  int children = 2;       ///< the most of one hit
+};
+
 /// All the arrays of a Workspace in one allocation.
 template <class R>
 class WorkspaceMemory {
  public:
-  /// For tiles of at most `batch` pixels and rays down to `max_depth`, with the arrays that
-  /// textures need, or without; and with those that only explanations read.
-  WorkspaceMemory(std::int32_t batch, int max_depth, bool textured, bool recorded = false);
+  explicit WorkspaceMemory(const WorkspaceNeeds& needs);
+  WorkspaceMemory(std::int32_t batch, int max_depth, bool textured, bool recorded = false)
+      : WorkspaceMemory(WorkspaceNeeds{batch, max_depth, textured, recorded}) {}
 
   Workspace<R>& workspace() { return workspace_; }
 

@@ -289,7 +289,7 @@ std::unique_ptr<StoredTextures> freeze_textures(const Scene& scene) {
   const bool any = std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
     return !m.textures.empty() || m.normals.kind != NormalUse::Kind::none;
   });
-  if (!any) return nullptr;
+  if (!any && scene.sky.kind != Sky::Kind::image) return nullptr;
   auto stored = std::make_unique<StoredTextures>();
   stored->set = TextureSet(scene.textures);
   for (const Material& m : scene.materials)
@@ -356,7 +356,7 @@ void freeze_all(const ShapeLists& shapes, const Whereabouts& where,
 
 template <class R>
 std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profile,
-                                       const Frame& frame) {
+                                       const Frame& frame, bool optics) {
   auto store = std::make_unique<FrozenStore<R>>();
   FrozenScene<R>& frozen = store->scene;
   frozen.camera = freeze_camera<R>(scene, profile, frame);
@@ -369,6 +369,11 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
         {narrow<R>(within_reach(frame.point(light.position))), narrow<R>(light.color)});
   frozen.lights = store->lights.data();
   frozen.light_count = static_cast<std::int32_t>(store->lights.size());
+
+  if (optics || has_optics(scene)) {
+    store->optics = freeze_optics(scene, profile, frame);
+    frozen.optics = &store->optics->frozen;
+  }
 
   const Whereabouts where(scene);
   const std::vector<GroupPlace> places = places_of_groups(scene, where);
@@ -410,8 +415,8 @@ std::uint64_t FrozenStore<R>::bytes() const {
 template std::uint64_t FrozenStore<float>::bytes() const;
 template std::uint64_t FrozenStore<double>::bytes() const;
 template std::unique_ptr<FrozenStore<float>> freeze<float>(const Scene&, const Profile&,
-                                                           const Frame&);
+                                                           const Frame&, bool);
 template std::unique_ptr<FrozenStore<double>> freeze<double>(const Scene&, const Profile&,
-                                                             const Frame&);
+                                                             const Frame&, bool);
 
 }  // namespace zraka

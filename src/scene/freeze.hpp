@@ -11,6 +11,7 @@
 #include "core/unset_vector.hpp"
 #include "math/frame.hpp"
 #include "scene/freeze_bodies.hpp"
+#include "scene/freeze_optics.hpp"
 #include "scene/frozen.hpp"
 #include "textures/texture_set.hpp"
 
@@ -44,6 +45,7 @@ struct FrozenStore {
   std::array<std::vector<CornerUvs>, kKinds> uvs;
   std::array<std::vector<WholeTriangle>, kKinds> wholes;
   std::unique_ptr<StoredTextures> textures;
+  std::unique_ptr<StoredOptics> optics;
   std::uint64_t bytes() const;
 };
 
@@ -62,9 +64,11 @@ bool has_ground_sphere(const ShapeLists& shapes, const Whereabouts& where, const
 
 /// Freezes a scene that check() finds nothing wrong with, its shapes in the order that they were
 /// read; the scene is not needed any more then. R is float, or double for the oracle.
+/// With `optics` also what the general engine needs, which it has in any case where the scene asks
+/// for it.
 template <class R>
 std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profile,
-                                       const Frame& frame);
+                                       const Frame& frame, bool optics = false);
 
 /// Where the slots of each kind of shape in the hierarchy begin, and where the last one's end.
 template <class R>

@@ -8,6 +8,7 @@
 
 #include "math/vec.hpp"
 #include "scene/frozen_bodies.hpp"
+#include "scene/frozen_optics.hpp"
 #include "scene/frozen_textures.hpp"
 #include "scene/hierarchy.hpp"
 #include "shapes/shapes.hpp"
@@ -97,6 +98,7 @@ struct FrozenScene {
   std::int32_t light_count;
   const R* materials;  ///< rows of kMaterialReals
   const FrozenTextures* textures;  ///< nullptr: no material has any
+  const FrozenOptics* optics;      ///< nullptr: there is nothing but what the lab has
   double frame_scale;              ///< the frame that all of this is in
   Vec3 frame_center;
 #define ZRAKA_STORE(Type, plural) FrozenShapes<R, Type> plural;

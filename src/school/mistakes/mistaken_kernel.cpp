@@ -19,7 +19,7 @@ void mistaken_tile(const FrozenScene<float>& scene, const TraceSettings& setting
 }
 
 // Lessons have one ray a pixel.
-const Kernel<float> kMistakenKernel = {mistaken_tile, nullptr,
+const Kernel<float> kMistakenKernel = {mistaken_tile, nullptr, nullptr,
                                        static_cast<int>(WideLanes::kWidth)};
 
 }  // namespace zraka::ZRAKA_ISA

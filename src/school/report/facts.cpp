@@ -32,7 +32,7 @@ class Measurement {
   Measurement(const Scene& scene, const RenderOptions& options)
       : scene_(scene),
         options_(options),
-        prepared_(prepare<float>(scene, options.profile)),
+        prepared_(prepare<float>(scene, options)),
         seen_(std::size_t{scene.resolution.width} * scene.resolution.height) {}
 
   Result<void> stage(Stage stage,
@@ -77,7 +77,7 @@ class Measurement {
 Result<RayTally> Measurement::listen() {
   const Resolution& size = scene_.resolution;
   const bool corners = options_.profile.average_corners;
-  const TraceSettings settings = settings_of(options_, prepared_.frame);
+  const TraceSettings settings = settings_of(options_, prepared_);
   const auto listeners = listen_to_tiles<StageListener>(
       size, options_,
       [&](std::int32_t batch) {

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/general/general.hpp"
+
+#include <algorithm>
+
+#include "engine/coefficients.hpp"
+#include "engine/general/steps.hpp"
+#include "math/elementary.hpp"
+#include "sampling/hash.hpp"
+#include "textures/texture_set.hpp"
+
+namespace zraka::general {
+
+template <class R>
+bool is_loose_triangle(const FrozenScene<R>& scene, const HitPath& path) {
+  const auto is_in = [&](const auto& shapes) {
+    return path.slot >= shapes.first_slot && path.slot < shapes.first_slot + shapes.count;
+  };
+  return path.depth == 0 && (is_in(scene.triangles) || is_in(scene.smooth_triangles));
+}
+
+template <class R>
+std::uint64_t body_of(const FrozenScene<R>& scene, const HitPath& path, std::int32_t material) {
+  std::uint64_t key = 0;
+  const auto mix = [&](std::int32_t more) {
+    key = (key ^ static_cast<std::uint32_t>(more)) * 0x9E3779B97F4A7C15u;
+    key ^= key >> 29;
+  };
+  for (std::int32_t i = 0; i < path.depth; ++i) mix(path.instance[i] + 1);
+  const auto& home =
+      path.group == nullptr ? scene : *static_cast<const FrozenScene<R>*>(path.group);
+  const auto is_in = [&](const auto& shapes) {
+    return path.slot >= shapes.first_slot && path.slot < shapes.first_slot + shapes.count;
+  };
+  if (is_in(home.triangles) || is_in(home.smooth_triangles))
+    mix(-2 - material);
+  else
+    mix(path.slot + 1);
+  return key;
+}
+
+std::int32_t medium_of(const Inside& inside, const OpticalMaterial* materials) {
+  std::int32_t best = -1;
+  for (std::int32_t i = 0; i < inside.count; ++i) {
+    const std::int32_t material = inside.list[i].material;
+    if (best < 0 || materials[material].priority >= materials[best].priority) best = material;
+  }
+  return best;
+}
+
+V3<double> transmittance_of(const V3<double>& absorption, double distance) {
+  const auto left = [&](double a) { return a > 0 ? elementary::exp(-a * distance) : 1.0; };
+  return {left(absorption.x), left(absorption.y), left(absorption.z)};
+}
+
+namespace {
+
+/// What a ray brings that hits nothing.
+template <class R>
+V3<R> sky_color(const FrozenScene<R>& scene, const V3<double>& direction) {
+  const OpticalSky& sky = scene.optics->sky;
+  if (sky.kind == Sky::Kind::gradient) {
+    const double height = std::fmin(std::fmax(0.5 + 0.5 * dot(direction, sky.up), 0.0), 1.0);
+    return narrowed<R>(sky.bottom * (1 - height) + sky.top * height);
+  }
+  if (sky.kind == Sky::Kind::image) {
+    constexpr double kPi = 3.14159265358979323846;
+    TexturePoint at;
+    at.u = 0.5 + elementary::atan2(dot(direction, sky.right), dot(direction, sky.middle)) / (2 * kPi);
+    at.v = 0.5 +
+           elementary::asin(std::fmin(std::fmax(dot(direction, sky.up), -1.0), 1.0)) / kPi;
+    at.v_ends = true;
+    return narrowed<R>(scene.textures->set->value(sky.texture, at));
+  }
+  return scene.background;
+}
+
+/// Copies hit `from` of one scratch to hit `to` of another.
+template <class R>
+void copy_hit(const Scratch<R>& source, std::size_t from, Scratch<R>& target, std::size_t to) {
+  target.px[to] = source.px[from], target.py[to] = source.py[from], target.pz[to] = source.pz[from];
+  target.nx[to] = source.nx[from], target.ny[to] = source.ny[from], target.nz[to] = source.nz[from];
+  target.vx[to] = source.vx[from], target.vy[to] = source.vy[from], target.vz[to] = source.vz[from];
+  target.offset[to] = source.offset[from];
+  target.inside[to] = source.inside[from];
+  target.material[to] = source.material[from];
+  target.paths[to] = source.paths[from];
+}
+
+/// Whether the medium is the same before and behind a hit: then the surface is none for light, and
+/// `inside` becomes what the ray is inside of behind it.
+template <class R>
+bool passes_unseen(const Batch<R>& batch, const HitState<R>& hit, std::size_t h, Inside& inside) {
+  const OpticalMaterial* const materials = batch.optics().materials;
+  const OpticalMaterial& material = batch.material(h);
+  if (is_zero(material.k2) && !material.textured_k2) return false;  // nothing goes in there
+  Inside with = inside, without = inside;
+  with.enter({hit.body, batch.scratch.material[h]});
+  without.leave(hit.body);
+  const std::int32_t a = medium_of(with, materials), b = medium_of(without, materials);
+  if (a != b) return false;
+  inside = batch.from_inside(h) ? without : with;
+  return true;
+}
+
+/// Where bodies have priorities, rays go on through surfaces that another body's inside hides.
+template <class R>
+void pass_hidden_surfaces(const Batch<R>& batch) {
+  constexpr int kMostPassed = 64;
+  Level<R>& level = batch.level;
+  Level<R>& through = batch.general.through;
+  Scratch<R>& found = batch.general.through_scratch;
+  std::vector<std::int32_t> hidden;
+  for (std::size_t h = 0; h < batch.hit_count(); ++h)
+    if (passes_unseen(batch, batch.hits[h], h, batch.ray_of(h).inside))
+      hidden.push_back(static_cast<std::int32_t>(h));
+  for (int pass = 0; !hidden.empty() && pass < kMostPassed; ++pass) {
+    std::vector<std::int32_t> still;
+    const auto room = static_cast<std::size_t>(batch.general.room);
+    for (std::size_t first = 0; first < hidden.size(); first += room) {
+      const std::size_t n = std::min(hidden.size() - first, room);
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto h = static_cast<std::size_t>(hidden[first + i]);
+        const V3<double> direction = -batch.view(h);
+        const V3<double> origin = batch.point(h) - batch.normal(h) * batch.offset(h);
+        through.rays.ox[i] = static_cast<R>(origin.x), through.rays.oy[i] = static_cast<R>(origin.y);
+        through.rays.oz[i] = static_cast<R>(origin.z), through.rays.dx[i] = static_cast<R>(direction.x);
+        through.rays.dy[i] = static_cast<R>(direction.y), through.rays.dz[i] = static_cast<R>(direction.z);
+      }
+      through.ray_count = through.in_batch = static_cast<std::int32_t>(n);
+      through.done = 0;
+      batch.services.find_hits(batch.scene, through, found);
+      std::vector<bool> meets(n, false);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(through.hit_count); ++i) {
+        const auto ray = static_cast<std::size_t>(through.hits.ray[i]);
+        meets[ray] = true;
+        const auto h = static_cast<std::size_t>(hidden[first + ray]);
+        const std::int32_t of = level.hits.ray[h];
+        batch.scratch.t[of] += found.t[ray];
+        batch.scratch.slot[of] = found.slot[ray];
+        copy_hit(found, i, batch.scratch, h);
+        batch.hits[h].body = body_of(batch.scene, found.paths[i], found.material[i]);
+        if (passes_unseen(batch, batch.hits[h], h, batch.ray_of(h).inside))
+          still.push_back(static_cast<std::int32_t>(h));
+      }
+      for (std::size_t i = 0; i < n; ++i)
+        if (!meets[i]) batch.scratch.slot[level.hits.ray[hidden[first + i]]] = -1;
+    }
+    hidden.swap(still);
+  }
+  // Rays that leave everything have no hit any more.
+  std::int32_t kept = 0;
+  for (std::int32_t h = 0; h < level.hit_count; ++h) {
+    if (batch.scratch.slot[level.hits.ray[h]] < 0) continue;
+    if (kept != h) {
+      level.hits.ray[kept] = level.hits.ray[h];
+      batch.hits[kept].body = batch.hits[h].body;
+      copy_hit(batch.scratch, static_cast<std::size_t>(h), batch.scratch,
+               static_cast<std::size_t>(kept));
+    }
+    ++kept;
+  }
+  level.hit_count = kept;
+}
+
+/// Nearest hits, surfaces, and what rays come through; what hits nothing has the sky's colour.
+template <class R>
+void find_hits(const Batch<R>& batch) {
+  Level<R>& level = batch.level;
+  batch.services.find_hits(batch.scene, level, batch.scratch);
+  for (std::size_t h = 0; h < batch.hit_count(); ++h)
+    batch.hits[h].body =
+        body_of(batch.scene, batch.scratch.paths[h], batch.scratch.material[h]);
+  if (batch.optics().nested) pass_hidden_surfaces(batch);
+  batch.counts.hits += batch.hit_count();
+
+  const bool plain = batch.optics().sky.kind == Sky::Kind::flat;
+  for (std::int32_t i = 0; i < level.in_batch; ++i) {
+    const std::int32_t ray = level.done + i;
+    if (batch.scratch.slot[i] >= 0) continue;
+    const auto at = static_cast<std::size_t>(ray);
+    const V3<R> color =
+        plain ? batch.scene.background
+              : sky_color(batch.scene, three(level.rays.dx, level.rays.dy, level.rays.dz, at));
+    level.rays.r[ray] = color.x, level.rays.g[ray] = color.y, level.rays.b[ray] = color.z;
+  }
+  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+    HitState<R>& hit = batch.hits[h];
+    const std::uint64_t body = hit.body;
+    hit = {};
+    hit.body = body;
+    hit.medium = -1;
+    hit.transmittance = {R(1), R(1), R(1)};
+    if (!batch.optics().absorbing && !batch.optics().nested) continue;
+    RayState<R>& ray = batch.ray_of(h);
+    // What a ray leaves it has been inside of, whether or not it is known how it came in.
+    if (batch.from_inside(h) && !(is_zero(batch.material(h).k2) && !batch.material(h).textured_k2))
+      ray.inside.enter({body, batch.scratch.material[h]});
+    hit.medium = medium_of(ray.inside, batch.optics().materials);
+    if (hit.medium < 0 || !batch.optics().materials[hit.medium].absorbs()) continue;
+    hit.transmittance = narrowed<R>(
+        transmittance_of(batch.optics().materials[hit.medium].absorption,
+                         static_cast<double>(batch.scratch.t[level.hits.ray[h]])));
+  }
+}
+
+/// C = T·(local + Σ share·Cchild).
+template <class R>
+void fold(const Batch<R>& batch, const Level<R>* next, const RayState<R>* next_rays) {
+  Level<R>& level = batch.level;
+  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+    const HitState<R>& hit = batch.hits[h];
+    V3<R> color{level.hits.r[h], level.hits.g[h], level.hits.b[h]};
+    R cut = most_of(hit.missing);
+    if (next != nullptr)
+      for (std::int32_t c = hit.first_child; c < hit.first_child + hit.child_count; ++c) {
+        const V3<R> brought{next->rays.r[c], next->rays.g[c], next->rays.b[c]};
+        color = color + next_rays[c].share * brought;
+        cut += most_of(next_rays[c].share) * next_rays[c].cut;
+      }
+    if (batch.settings.clamp_levels) {
+      const auto clamp = [](R v) { return v > R(0) ? (v < R(1) ? v : R(1)) : R(0); };
+      color = {clamp(color.x), clamp(color.y), clamp(color.z)};
+    }
+    color = color * hit.transmittance;
+    const std::int32_t ray = level.done + level.hits.ray[h];
+    level.rays.r[ray] = color.x, level.rays.g[ray] = color.y, level.rays.b[ray] = color.z;
+    batch.rays[ray].cut = cut;
+  }
+  level.done += level.in_batch;
+  if (batch.general.listener != nullptr) batch.general.listener->at_fold(level, batch.general);
+  level.in_batch = 0;
+}
+
+template <class R>
+void trace_batch(const Batch<R>& batch, std::int32_t size, Level<R>* next, RayState<R>* next_rays) {
+  Level<R>& level = batch.level;
+  level.in_batch = std::min(level.ray_count - level.done, size);
+  find_hits(batch);
+  take_coefficients(batch.scene, level, batch.scratch);
+  light_hits(batch);
+  const Terms& terms = batch.settings.terms;
+  if (next == nullptr || terms.silhouette || !(terms.reflection || terms.refraction)) return;
+  spawn(batch, *next, next_rays);
+  if (batch.general.listener != nullptr)
+    batch.general.listener->at_children(level, *next, batch.general);
+}
+
+}  // namespace
+
+int most_children(const TraceSettings& settings) {
+  return 1 + std::max(1, settings.wavelengths.count);
+}
+
+template <class R>
+void trace_rays(const FrozenScene<R>& scene, const TraceSettings& settings,
+                const Services<R>& services, Workspace<R>& workspace, GeneralWorkspace<R>& general,
+                RayCounts& counts) {
+  Level<R>& top = workspace.levels[0];
+  top.done = 0;
+  counts.camera += static_cast<std::uint64_t>(top.ray_count);
+  for (std::int32_t i = 0; i < top.ray_count; ++i) {
+    const CameraSample& from = workspace.samples[i];
+    RayState<R>& ray = general.rays[0][static_cast<std::size_t>(i)];
+    ray = {};
+    ray.share = ray.weight = {R(1), R(1), R(1)};
+    ray.key = hash(settings.seed, static_cast<std::uint32_t>(from.x),
+                      static_cast<std::uint32_t>(from.y));
+    ray.sample = from.number;
+    ray.wavelength = -1;
+    ray.inside = general.at_eye;
+  }
+  const auto batch_at = [&](int depth) {
+    const auto d = static_cast<std::size_t>(depth);
+    return Batch<R>{scene,   settings, services, workspace.levels[depth], workspace.scratch,
+                    general, counts,   general.rays[d].data(), general.hits[d].data()};
+  };
+  for (int depth = 0;;) {
+    const Batch<R> batch = batch_at(depth);
+    Level<R>& level = batch.level;
+    if (level.done < level.ray_count) {
+      Level<R>* const next = depth < settings.max_depth ? &level + 1 : nullptr;
+      RayState<R>* const next_rays =
+          next == nullptr ? nullptr : general.rays[static_cast<std::size_t>(depth) + 1].data();
+      if (next != nullptr) next->ray_count = next->done = 0;
+      trace_batch(batch, workspace.batch, next, next_rays);
+      const bool goes_on = general.listener == nullptr || !general.listener->stop;
+      if (next != nullptr && next->ray_count > 0 && goes_on)
+        ++depth;  // the children first
+      else
+        fold(batch, static_cast<const Level<R>*>(nullptr), static_cast<const RayState<R>*>(nullptr));
+    } else if (depth > 0) {
+      --depth;  // all the children's colours are known
+      fold(batch_at(depth), &workspace.levels[depth + 1],
+           general.rays[static_cast<std::size_t>(depth) + 1].data());
+    } else {
+      return;
+    }
+  }
+}
+
+#define ZRAKA_FOR(R)                                                                          \
+  template bool is_loose_triangle(const FrozenScene<R>&, const HitPath&);                     \
+  template std::uint64_t body_of(const FrozenScene<R>&, const HitPath&, std::int32_t);        \
+  template void trace_rays(const FrozenScene<R>&, const TraceSettings&, const Services<R>&,   \
+                           Workspace<R>&, GeneralWorkspace<R>&, RayCounts&);
+ZRAKA_FOR(float)
+ZRAKA_FOR(double)
+#undef ZRAKA_FOR
+
+}  // namespace zraka::general

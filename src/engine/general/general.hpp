@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// The general engine: everything that scenes can have beyond the lab's: other lights, soft and
+// transparent shadows, Fresnel, absorption, nested glass, dispersion, cut-off by contribution. The
+// same flow as engine/trace_tile.hpp, level by level; rays find their hits in lanes, by the
+// services of an instruction set, and what follows is computed hit by hit, here, once for all
+// instruction sets. Geometry is computed in double, colours in the engine's own numbers: what is
+// recorded of them folds to the picture's bits.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/engine.hpp"
+
+namespace zraka::general {
+
+/// A body that a ray is inside of.
+struct Medium {
+  std::uint64_t body;
+  std::int32_t material;
+};
+
+/// The bodies that a ray is inside of, in the order of entering. What would be one too many is
+/// forgotten.
+struct Inside {
+  static constexpr int kMost = 8;
+  Medium list[kMost];
+  std::int32_t count = 0;
+
+  bool has(std::uint64_t body) const {
+    for (std::int32_t i = 0; i < count; ++i)
+      if (list[i].body == body) return true;
+    return false;
+  }
+  void enter(const Medium& medium) {
+    if (count < kMost && !has(medium.body)) list[count++] = medium;
+  }
+  void leave(std::uint64_t body) {
+    std::int32_t kept = 0;
+    for (std::int32_t i = 0; i < count; ++i)
+      if (list[i].body != body) list[kept++] = list[i];
+    count = kept;
+  }
+};
+
+enum class RayKind : std::uint8_t { camera, reflected, refracted };
+
+/// What a ray carries besides origin and direction.
+template <class R>
+struct RayState {
+  V3<R> share;   ///< of its colour in its parent's
+  V3<R> weight;  ///< in the pixel's: the product of the shares on the way
+  R cut;         ///< at most so much is missing of its colour, for children that were not traced
+  std::uint32_t key;     ///< of its random numbers
+  std::uint32_t sample;  ///< of its pixel
+  std::int32_t wavelength;  ///< which of TraceSettings::wavelengths; -1: all
+  RayKind kind;
+  Inside inside;
+};
+
+/// What the fold needs of a hit, and what explanations say of it.
+template <class R>
+struct HitState {
+  V3<R> transmittance;  ///< of the way from the ray's origin, through what it is inside of
+  V3<R> missing;        ///< per channel, at most: the shares of children not traced, times their most
+  std::int32_t first_child, child_count;
+  std::uint64_t body;
+  // For explanations.
+  double cosine, ratio, quarter_d, fresnel;
+  std::int32_t medium;  ///< whose inside the ray came through: a material; -1: none
+  double n1, n2;        ///< what ratio is the quotient of; 1 where unknown
+  V3<R> k1, k2;         ///< before Fresnel
+  V3<R> reflection, refraction;  ///< the children's shares
+  bool refracts, total, reflected_cut, refracted_cut, split;
+};
+
+/// One light's effect on a hit, all samples together.
+template <class R>
+struct LightSum {
+  V3<R> diffuse, specular;
+  std::int32_t facing, lit;  ///< so many of its samples face it, and are not wholly blocked
+  // Of the first sample.
+  V3<double> to_light;
+  double distance, l_n, cosine, highlight;  ///< cosine: R·V or N·H
+  V3<R> radiance;                           ///< what arrives without shadows
+  V3<R> filter;                             ///< what shadows leave of it
+};
+
+/// A body that a shadow ray passes, or that stops it.
+template <class R>
+struct Passed {
+  std::int32_t hit, sample;
+  std::int32_t slot;
+  const HitPath* path;
+  double distance;      ///< from the hit to where it is met
+  V3<R> share;          ///< k2; 0 stops it
+  double length;        ///< inside of what absorbs
+  V3<R> transmittance;  ///< of that length
+};
+
+template <class R>
+struct GeneralWorkspace;
+
+/// Who explains is told what the steps compute.
+template <class R>
+class Listener {
+ public:
+  virtual ~Listener() = default;
+  virtual void at_hits(const Level<R>& level, const Scratch<R>& scratch,
+                       const GeneralWorkspace<R>& workspace, const V3<R>* occlusion) = 0;
+  virtual void at_passed(const Passed<R>& passed) = 0;
+  virtual void at_light(std::int32_t light, const Level<R>& level, const LightSum<R>* sums) = 0;
+  virtual void at_children(const Level<R>& level, const Level<R>& next,
+                           const GeneralWorkspace<R>& workspace) = 0;
+  virtual void at_fold(const Level<R>& level, const GeneralWorkspace<R>& workspace) = 0;
+  bool stop = false;  ///< no more levels, the rest is not wanted
+};
+
+/// What waits for its shadow ray.
+template <class R>
+struct Waiting {
+  std::int32_t hit, sample;
+  V3<double> to_light;
+  double l_n;
+  V3<R> radiance;
+};
+
+/// One thread's memory beside its Workspace.
+template <class R>
+struct GeneralWorkspace {
+  std::vector<std::vector<RayState<R>>> rays;  ///< by level
+  std::vector<std::vector<HitState<R>>> hits;
+  std::vector<LightSum<R>> sums;
+  std::vector<V3<R>> occlusion;
+  std::vector<Waiting<R>> waiting;
+  std::vector<V3<R>> filter;  ///< of each that waits
+  /// Rays on their way through what is transparent, and what they hit there.
+  Level<R> through;
+  Scratch<R> through_scratch;
+  std::int32_t room;  ///< for shadow rays
+  Inside at_eye;      ///< what the eye is inside of
+  Listener<R>* listener = nullptr;
+};
+
+/// Traces the rays in level 0, as Kernel::trace_rays() does.
+template <class R>
+void trace_rays(const FrozenScene<R>& scene, const TraceSettings& settings,
+                const Services<R>& services, Workspace<R>& workspace,
+                GeneralWorkspace<R>& general, RayCounts& counts);
+
+/// The most children that one hit can have.
+int most_children(const TraceSettings& settings);
+
+}  // namespace zraka::general

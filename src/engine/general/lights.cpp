@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: Apache-2.0
+// Local light of the general engine: lights of all kinds, soft and transparent shadows, ambient
+// occlusion.
+#include <algorithm>
+#include <limits>
+
+#include "engine/coefficients.hpp"
+#include "engine/general/steps.hpp"
+#include "math/elementary.hpp"
+#include "sampling/hash.hpp"
+#include "sampling/sobol.hpp"
+#include "sampling/warp.hpp"
+
+namespace zraka::general {
+namespace {
+
+/// As far as shadow rays of no end go.
+constexpr double kFarthest = 0x1p100;
+
+/// What a light sends to a point, from one of its samples.
+struct Arriving {
+  V3<double> to_light;  ///< unit length
+  double distance;      ///< infinite for directional light
+  double strength;      ///< attenuation and the spot's cone
+};
+
+/// x²(3 - 2x) between 0 and 1.
+double smooth(double x) {
+  const double t = std::fmin(std::fmax(x, 0.0), 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+/// Two directions at right angles to a unit vector and to each other (Duff et al. 2017, "Building
+/// an Orthonormal Basis, Revisited").
+void basis_of(const V3<double>& n, V3<double>& a, V3<double>& b) {
+  const double sign = std::copysign(1.0, n.z);
+  const double p = -1 / (sign + n.z), q = n.x * n.y * p;
+  a = {1 + sign * n.x * n.x * p, sign * q, -sign * n.x};
+  b = {q, sign + n.y * n.y * p, -n.y};
+}
+
+Arriving arriving(const OpticalLight& light, const V3<double>& point, const Point2& at) {
+  if (light.kind == LightKind::directional)
+    return {-light.direction, std::numeric_limits<double>::infinity(), 1};
+  V3<double> from = light.position;
+  if (light.kind == LightKind::rectangle) {
+    from = from + light.edge_u * at.u + light.edge_v * at.v;
+  } else if (light.kind == LightKind::disc) {
+    const DiscPoint on = concentric_disc(at);
+    from = from + light.edge_u * on.x + light.edge_v * on.y;
+  } else if (light.kind == LightKind::sphere) {
+    // The disc that it looks like from the point.
+    const V3<double> way = from - point;
+    const double away = std::sqrt(dot(way, way));
+    if (away > light.radius) {
+      V3<double> a{}, b{};
+      const V3<double> axis = way * (1 / away);
+      basis_of(axis, a, b);
+      const DiscPoint on = concentric_disc(at);
+      const double sine = light.radius / away, cosine = std::sqrt(1 - sine * sine);
+      // Where the cone around it touches it.
+      from = from - axis * (light.radius * sine) +
+             (a * on.x + b * on.y) * (light.radius * cosine);
+    }
+  }
+  const V3<double> way = from - point;
+  const double distance = std::sqrt(dot(way, way));
+  if (!(distance > 0)) return {{0, 0, 0}, 0, 0};
+  Arriving arrives{way * (1 / distance), distance, 1};
+  const double fading =
+      light.constant + light.linear * distance + light.quadratic * distance * distance;
+  if (fading != 1) arrives.strength = 1 / fading;
+  if (light.kind == LightKind::spot) {
+    const double cosine = -dot(arrives.to_light, light.direction);
+    const double span = light.cos_inner - light.cos_outer;
+    arrives.strength *= span > 0 ? smooth((cosine - light.cos_outer) / span)
+                                 : (cosine >= light.cos_outer ? 1.0 : 0.0);
+  }
+  return arrives;
+}
+
+template <class R>
+bool may_be_passed(const Batch<R>& batch) {
+  return batch.settings.transparent_shadows;
+}
+
+/// A shadow ray on its way through transparent bodies.
+struct Walk {
+  std::size_t entry;
+  V3<double> origin, direction;
+  double left, walked;  ///< how far to the light, and from the hit
+  Inside inside;
+  /// Bodies that have taken their share, and triangles that the ray is behind.
+  std::vector<std::uint64_t> passed;
+};
+
+/// What bodies on the way leave of the light, in the order of distance: each body takes its share
+/// once, and what absorbs by the length inside (sheet 8.4).
+template <class R>
+void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
+  constexpr int kMostSurfaces = 1024;
+  GeneralWorkspace<R>& general = batch.general;
+  Level<R>& level = general.through;
+  Scratch<R>& scratch = general.through_scratch;
+  const OpticalMaterial* const materials = batch.optics().materials;
+  const auto room = static_cast<std::size_t>(general.room);
+  for (int surface = 0; !walks.empty() && surface < kMostSurfaces; ++surface) {
+    std::vector<Walk> going_on;
+    for (std::size_t first = 0; first < walks.size(); first += room) {
+      const std::size_t n = std::min(walks.size() - first, room);
+      for (std::size_t i = 0; i < n; ++i) {
+        const Walk& walk = walks[first + i];
+        level.rays.ox[i] = static_cast<R>(walk.origin.x);
+        level.rays.oy[i] = static_cast<R>(walk.origin.y);
+        level.rays.oz[i] = static_cast<R>(walk.origin.z);
+        level.rays.dx[i] = static_cast<R>(walk.direction.x);
+        level.rays.dy[i] = static_cast<R>(walk.direction.y);
+        level.rays.dz[i] = static_cast<R>(walk.direction.z);
+        if (batch.scene.textures != nullptr) level.rays.width[i] = level.rays.spread[i] = R(0);
+      }
+      level.ray_count = level.in_batch = static_cast<std::int32_t>(n);
+      level.done = 0;
+      batch.services.find_hits(batch.scene, level, scratch);
+      take_coefficients(batch.scene, level, scratch);
+      // In the order of the shadow rays, whatever the order of what they hit.
+      std::vector<std::int32_t> hit_of(n, -1);
+      for (std::int32_t h = 0; h < level.hit_count; ++h) hit_of[level.hits.ray[h]] = h;
+      for (std::size_t i = 0; i < n; ++i) {
+        Walk& walk = walks[first + i];
+        if (hit_of[i] < 0) continue;
+        const auto h = static_cast<std::size_t>(hit_of[i]);
+        const auto t = static_cast<double>(scratch.t[i]);
+        if (!(t < walk.left)) continue;
+        V3<R>& filter = general.filter[walk.entry];
+        const OpticalMaterial& material = materials[scratch.material[h]];
+        const R* const row = scratch.coefficients + std::ptrdiff_t{scratch.row[h]} * kMaterialReals;
+        const bool leaves = scratch.inside[h] > R(0);
+        const std::uint64_t body = body_of(batch.scene, scratch.paths[h], scratch.material[h]);
+        const V3<R> share = may_be_passed(batch) ? refraction_of(material, row) : V3<R>{};
+        walk.walked += t;
+        Passed<R> passed{general.waiting[walk.entry].hit,
+                         general.waiting[walk.entry].sample,
+                         scratch.slot[i],
+                         &scratch.paths[h],
+                         walk.walked,
+                         share,
+                         0,
+                         {R(1), R(1), R(1)}};
+        // What it has come through.
+        if (leaves && !is_zero(share)) walk.inside.enter({body, scratch.material[h]});
+        if (batch.optics().absorbing) {
+          const std::int32_t medium = medium_of(walk.inside, materials);
+          if (medium >= 0 && materials[medium].absorbs()) {
+            passed.length = t;
+            passed.transmittance = narrowed<R>(transmittance_of(materials[medium].absorption, t));
+            filter = filter * passed.transmittance;
+          }
+        }
+        const bool known =
+            std::find(walk.passed.begin(), walk.passed.end(), body) != walk.passed.end();
+        const bool loose = is_loose_triangle(batch.scene, scratch.paths[h]);
+        if (!known) {
+          filter = filter * share;
+          walk.passed.push_back(body);
+        } else {
+          passed.share = {R(1), R(1), R(1)};
+        }
+        // Loose triangles: sheets one behind the other, or the two sides of one body.
+        if (loose && leaves) std::erase(walk.passed, body);
+        if (loose && !leaves && known) {
+          filter = filter * share;
+          passed.share = share;
+        }
+        if (general.listener != nullptr) general.listener->at_passed(passed);
+        if (is_zero(filter)) continue;
+        if (leaves)
+          walk.inside.leave(body);
+        else
+          walk.inside.enter({body, scratch.material[h]});
+        const V3<double> normal = three(scratch.nx, scratch.ny, scratch.nz, h);
+        walk.origin = three(scratch.px, scratch.py, scratch.pz, h) -
+                      normal * static_cast<double>(scratch.offset[h]);
+        walk.left -= t;
+        going_on.push_back(std::move(walk));
+      }
+    }
+    walks.swap(going_on);
+  }
+}
+
+/// What shadows leave of all that wait: general.filter.
+template <class R>
+void trace_waiting(const Batch<R>& batch) {
+  GeneralWorkspace<R>& general = batch.general;
+  Scratch<R>& scratch = batch.scratch;
+  const std::size_t n = general.waiting.size();
+  general.filter.assign(n, V3<R>{R(1), R(1), R(1)});
+  if (n == 0 || !batch.settings.terms.shadows) return;
+  batch.counts.shadow += n;
+  batch.services.find_blocked(batch.scene, n, scratch);
+  std::vector<Walk> walks;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (scratch.blocked[i] == 0) continue;
+    if (!may_be_passed(batch)) {
+      general.filter[i] = {R(0), R(0), R(0)};
+      // Whoever explains wants to know what the light is blocked by.
+      if (general.listener == nullptr) continue;
+    }
+    const auto hit = static_cast<std::size_t>(general.waiting[i].hit);
+    Walk walk{i,
+              three(scratch.sox, scratch.soy, scratch.soz, i),
+              three(scratch.sdx, scratch.sdy, scratch.sdz, i),
+              static_cast<double>(scratch.sdistance[i]),
+              0,
+              {},
+              {}};
+    // On the side that the viewer sees.
+    if (batch.optics().absorbing) walk.inside = batch.ray_of(hit).inside;
+    walks.push_back(std::move(walk));
+  }
+  walk_through(batch, walks);
+}
+
+/// Puts a shadow ray beside what waits for it.
+template <class R>
+void wait(const Batch<R>& batch, std::size_t h, std::int32_t sample, const Arriving& arrives,
+          double l_n, const V3<R>& radiance) {
+  Scratch<R>& scratch = batch.scratch;
+  const std::size_t i = batch.general.waiting.size();
+  const V3<double> from = batch.point(h) + batch.normal(h) * batch.offset(h);
+  scratch.sox[i] = static_cast<R>(from.x), scratch.soy[i] = static_cast<R>(from.y);
+  scratch.soz[i] = static_cast<R>(from.z);
+  scratch.sdx[i] = static_cast<R>(arrives.to_light.x);
+  scratch.sdy[i] = static_cast<R>(arrives.to_light.y);
+  scratch.sdz[i] = static_cast<R>(arrives.to_light.z);
+  scratch.sdistance[i] = static_cast<R>(std::fmin(arrives.distance, kFarthest));
+  scratch.shadow_ray_hit[i] = static_cast<std::int32_t>(h);
+  batch.general.waiting.push_back(
+      {static_cast<std::int32_t>(h), sample, arrives.to_light, l_n, radiance});
+}
+
+/// Adds what has arrived of one light to the sums of its hits.
+template <class R>
+void settle_light(const Batch<R>& batch) {
+  trace_waiting(batch);
+  GeneralWorkspace<R>& general = batch.general;
+  for (std::size_t i = 0; i < general.waiting.size(); ++i) {
+    const Waiting<R>& one = general.waiting[i];
+    const auto h = static_cast<std::size_t>(one.hit);
+    LightSum<R>& sum = general.sums[h];
+    const V3<R>& filter = general.filter[i];
+    if (one.sample == 0) sum.filter = filter;
+    if (is_zero(filter)) continue;
+    ++sum.lit;
+    const V3<R> radiance = one.radiance * filter;
+    const R* const row = batch.row(h);
+    if (batch.settings.terms.diffuse)
+      sum.diffuse = sum.diffuse + radiance * V3<R>{row[kDiffuse], row[kDiffuse + 1], row[kDiffuse + 2]} *
+                                      static_cast<R>(one.l_n);
+    const V3<R> ks{row[kSpecular], row[kSpecular + 1], row[kSpecular + 2]};
+    if (!batch.settings.terms.specular || is_zero(ks)) continue;
+    const V3<double> n = batch.normal(h), v = batch.view(h);
+    double cosine = 0;
+    if (batch.material(h).highlight == Highlight::blinn) {
+      const V3<double> half = one.to_light + v;
+      const double length = std::sqrt(dot(half, half));
+      cosine = length > 0 ? dot(n, half) / length : 0;
+    } else {
+      cosine = dot(n * (2 * one.l_n) - one.to_light, v);
+    }
+    if (!(cosine >= 0)) {
+      if (one.sample == 0) sum.cosine = cosine;
+      continue;
+    }
+    const double highlight =
+        elementary::pow(std::fmin(cosine, 1.0), static_cast<double>(row[kShininess]));
+    if (one.sample == 0) sum.cosine = cosine, sum.highlight = highlight;
+    sum.specular = sum.specular + radiance * ks * static_cast<R>(highlight);
+  }
+  general.waiting.clear();
+}
+
+/// All samples of one light at all hits.
+template <class R>
+void add_light(const Batch<R>& batch, std::int32_t index) {
+  const OpticalLight& light = batch.optics().lights[index];
+  const V3<R>& color = batch.scene.lights[index].color;
+  GeneralWorkspace<R>& general = batch.general;
+  general.sums.assign(batch.hit_count(), LightSum<R>{});
+  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+    const RayState<R>& ray = batch.ray_of(h);
+    const std::uint32_t key = hash(ray.key, static_cast<std::uint32_t>(index), 0x11u);
+    const V3<double> point = batch.point(h), normal = batch.normal(h);
+    for (std::int32_t s = 0; s < light.samples; ++s) {
+      const Point2 at =
+          light.samples == 1 && light.kind < LightKind::rectangle
+              ? Point2{0.5, 0.5}
+              : sobol_2d(ray.sample * static_cast<std::uint32_t>(light.samples) +
+                             static_cast<std::uint32_t>(s),
+                         key);
+      const Arriving arrives = arriving(light, point, at);
+      const double l_n = dot(arrives.to_light, normal);
+      const V3<R> radiance = color * static_cast<R>(arrives.strength);
+      LightSum<R>& sum = general.sums[h];
+      if (s == 0)
+        sum.to_light = arrives.to_light, sum.distance = arrives.distance, sum.l_n = l_n,
+        sum.radiance = radiance;
+      if (!(l_n >= 0)) continue;
+      ++sum.facing;
+      if (is_zero(radiance)) continue;
+      wait(batch, h, s, arrives, l_n, radiance);
+      if (general.waiting.size() == static_cast<std::size_t>(general.room)) settle_light(batch);
+    }
+  }
+  settle_light(batch);
+  const R mean = R(1) / static_cast<R>(light.samples);
+  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+    LightSum<R>& sum = general.sums[h];
+    if (light.samples > 1) sum.diffuse = sum.diffuse * mean, sum.specular = sum.specular * mean;
+    HitArrays<R>& hits = batch.level.hits;
+    const V3<R> local = V3<R>{hits.r[h], hits.g[h], hits.b[h]} + sum.diffuse + sum.specular;
+    hits.r[h] = local.x, hits.g[h] = local.y, hits.b[h] = local.z;
+  }
+  if (general.listener != nullptr)
+    general.listener->at_light(index, batch.level, general.sums.data());
+}
+
+/// How much of the ambient light reaches each hit: general.occlusion.
+template <class R>
+void find_occlusion(const Batch<R>& batch) {
+  const FrozenOptics& optics = batch.optics();
+  GeneralWorkspace<R>& general = batch.general;
+  general.occlusion.assign(batch.hit_count(), V3<R>{R(0), R(0), R(0)});
+  Listener<R>* const listener = general.listener;
+  general.listener = nullptr;  // too much to tell
+  const auto settle = [&] {
+    trace_waiting(batch);
+    for (std::size_t i = 0; i < general.waiting.size(); ++i) {
+      V3<R>& sum = general.occlusion[static_cast<std::size_t>(general.waiting[i].hit)];
+      sum = sum + general.filter[i];
+    }
+    general.waiting.clear();
+  };
+  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+    const R* const row = batch.row(h);
+    if (row[kAmbient] == R(0) && row[kAmbient + 1] == R(0) && row[kAmbient + 2] == R(0)) continue;
+    const RayState<R>& ray = batch.ray_of(h);
+    const std::uint32_t key = hash(ray.key, 0xA0u);
+    V3<double> a{}, b{};
+    const V3<double> normal = batch.normal(h);
+    basis_of(normal, a, b);
+    for (std::int32_t s = 0; s < optics.occlusion_samples; ++s) {
+      const auto number = ray.sample * static_cast<std::uint32_t>(optics.occlusion_samples) +
+                          static_cast<std::uint32_t>(s);
+      const DiscPoint on = concentric_disc(sobol_2d(number, key));
+      const double up = std::sqrt(std::fmax(1 - on.x * on.x - on.y * on.y, 0.0));
+      const V3<double> way = unit(a * on.x + b * on.y + normal * up);
+      wait(batch, h, s, {way, optics.occlusion_distance, 1}, up, V3<R>{});
+      if (general.waiting.size() == static_cast<std::size_t>(general.room)) settle();
+    }
+  }
+  settle();
+  general.listener = listener;
+  const R mean = R(1) / static_cast<R>(optics.occlusion_samples);
+  const V3<R> color = narrowed<R>(optics.occlusion_color);
+  for (V3<R>& reached : general.occlusion) reached = reached * mean * color;
+}
+
+}  // namespace
+
+template <class R>
+void light_hits(const Batch<R>& batch) {
+  const Terms& terms = batch.settings.terms;
+  GeneralWorkspace<R>& general = batch.general;
+  const bool occluded = batch.optics().occlusion_samples > 0 && terms.ambient &&
+                        terms.shadows && !terms.silhouette;
+  general.waiting.clear();
+  if (occluded) find_occlusion(batch);
+  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+    const R plain = terms.silhouette ? R(1) : R(0);
+    V3<R> local{plain, plain, plain};
+    if (terms.ambient && !terms.silhouette) {
+      const R* const row = batch.row(h);
+      local = batch.scene.ambient_light * V3<R>{row[kAmbient], row[kAmbient + 1], row[kAmbient + 2]};
+      if (occluded) local = local * general.occlusion[h];
+    }
+    HitArrays<R>& hits = batch.level.hits;
+    hits.r[h] = local.x, hits.g[h] = local.y, hits.b[h] = local.z;
+  }
+  if (general.listener != nullptr)
+    general.listener->at_hits(batch.level, batch.scratch, general,
+                              occluded ? general.occlusion.data() : nullptr);
+  if (terms.silhouette || !(terms.diffuse || terms.specular)) return;
+  for (std::int32_t i = 0; i < batch.scene.light_count; ++i) add_light(batch, i);
+}
+
+#define ZRAKA_FOR(R) template void light_hits(const Batch<R>&);
+ZRAKA_FOR(float)
+ZRAKA_FOR(double)
+#undef ZRAKA_FOR
+
+}  // namespace zraka::general

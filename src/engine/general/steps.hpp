@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The steps of the general engine, and what they share.
+#pragma once
+
+#include <cmath>
+
+#include "engine/general/general.hpp"
+
+namespace zraka::general {
+
+template <class R>
+V3<double> three(const R* x, const R* y, const R* z, std::size_t i) {
+  return {static_cast<double>(x[i]), static_cast<double>(y[i]), static_cast<double>(z[i])};
+}
+template <class R>
+V3<R> narrowed(const V3<double>& v) {
+  return {static_cast<R>(v.x), static_cast<R>(v.y), static_cast<R>(v.z)};
+}
+template <class T>
+bool is_zero(const V3<T>& v) {
+  return v.x == T(0) && v.y == T(0) && v.z == T(0);
+}
+template <class T>
+T most_of(const V3<T>& v) {
+  const T more = v.x > v.y ? v.x : v.y;
+  return more > v.z ? more : v.z;
+}
+inline V3<double> unit(const V3<double>& v) {
+  return v * (1 / std::sqrt(dot(v, v)));
+}
+
+/// A tile's batch: what every step takes.
+template <class R>
+struct Batch {
+  const FrozenScene<R>& scene;
+  const TraceSettings& settings;
+  const Services<R>& services;
+  Level<R>& level;
+  Scratch<R>& scratch;
+  GeneralWorkspace<R>& general;
+  RayCounts& counts;
+  RayState<R>* rays;  ///< of the level
+  HitState<R>* hits;
+
+  const FrozenOptics& optics() const { return *scene.optics; }
+  std::size_t hit_count() const { return static_cast<std::size_t>(level.hit_count); }
+  RayState<R>& ray_of(std::size_t h) const { return rays[level.done + level.hits.ray[h]]; }
+  const R* row(std::size_t h) const {
+    return scratch.coefficients + std::ptrdiff_t{scratch.row[h]} * kMaterialReals;
+  }
+  const OpticalMaterial& material(std::size_t h) const {
+    return optics().materials[scratch.material[h]];
+  }
+  V3<double> point(std::size_t h) const { return three(scratch.px, scratch.py, scratch.pz, h); }
+  V3<double> normal(std::size_t h) const { return three(scratch.nx, scratch.ny, scratch.nz, h); }
+  V3<double> view(std::size_t h) const { return three(scratch.vx, scratch.vy, scratch.vz, h); }
+  double offset(std::size_t h) const { return static_cast<double>(scratch.offset[h]); }
+  bool from_inside(std::size_t h) const { return scratch.inside[h] > R(0); }
+};
+
+/// Which body a hit belongs to: a shape of the scene; of a group where it stands; all triangles of
+/// one material in a group, which are one mesh.
+template <class R>
+std::uint64_t body_of(const FrozenScene<R>& scene, const HitPath& path, std::int32_t material);
+
+/// Triangles that are no part of a group, which may be sheets or make a body together.
+template <class R>
+bool is_loose_triangle(const FrozenScene<R>& scene, const HitPath& path);
+
+/// The material whose inside counts: that of the highest priority, of equal ones the last entered;
+/// -1: none.
+std::int32_t medium_of(const Inside& inside, const OpticalMaterial* materials);
+
+/// exp(-a·d) for each channel.
+V3<double> transmittance_of(const V3<double>& absorption, double distance);
+
+/// k2 of a hit: the texture's, or the material's.
+template <class R>
+V3<R> refraction_of(const OpticalMaterial& material, const R* row) {
+  if (material.textured_k2) return {row[kRefraction], row[kRefraction], row[kRefraction]};
+  return narrowed<R>(material.k2);
+}
+template <class R>
+V3<R> reflection_of(const OpticalMaterial& material, const R* row) {
+  if (material.textured_k1) return {row[kReflection], row[kReflection], row[kReflection]};
+  return narrowed<R>(material.k1);
+}
+
+/// I = ambient + each light's terms: level.hits.r, g and b.
+template <class R>
+void light_hits(const Batch<R>& batch);
+
+/// Children of all hits, into the next level.
+template <class R>
+void spawn(const Batch<R>& batch, Level<R>& next, RayState<R>* next_rays);
+
+/// Of unpolarised light, the share that is reflected (Fresnel); eta is n1/n2. 1 beyond the critical
+/// angle.
+double fresnel_exact(double cosine, double eta);
+/// Schlick's approximation; where the ray comes from the denser side, by the other side's angle.
+double fresnel_schlick(double cosine, double eta);
+
+}  // namespace zraka::general

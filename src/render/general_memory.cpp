@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/general_memory.hpp"
+
+namespace zraka {
+
+template <class R>
+GeneralMemory<R>::GeneralMemory(std::int32_t batch, const TraceSettings& settings, bool textured)
+    : through_({.batch = batch, .max_depth = 0, .textured = textured, .general = true}) {
+  const auto size = static_cast<std::size_t>(batch);
+  const auto levels = static_cast<std::size_t>(settings.max_depth) + 1;
+  const auto children = static_cast<std::size_t>(general::most_children(settings));
+  workspace_.rays.resize(levels);
+  workspace_.hits.resize(levels);
+  for (std::size_t i = 0; i < levels; ++i) {
+    workspace_.rays[i].resize(i == 0 ? size : size * children);
+    workspace_.hits[i].resize(size);
+  }
+  workspace_.through = through_.workspace().levels[0];
+  workspace_.through_scratch = through_.workspace().scratch;
+  workspace_.room = batch;
+  workspace_.waiting.reserve(size);
+  workspace_.filter.reserve(size);
+}
+
+template class GeneralMemory<float>;
+template class GeneralMemory<double>;
+
+}  // namespace zraka

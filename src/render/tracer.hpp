@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays that stand in level 0 of a workspace, traced by the engine that the scene needs: the
+// kernel's, or the general one.
+#pragma once
+
+#include <optional>
+
+#include "render/general_memory.hpp"
+
+namespace zraka {
+
+/// One thread's memory for either engine.
+template <class R>
+struct TracerMemory {
+  WorkspaceMemory<R> memory;
+  std::optional<GeneralMemory<R>> general;
+
+  TracerMemory(std::int32_t batch, const FrozenScene<R>& scene, const TraceSettings& settings,
+               bool recorded = false)
+      : memory({.batch = batch,
+                .max_depth = settings.max_depth,
+                .textured = scene.textures != nullptr,
+                .recorded = recorded,
+                .general = scene.optics != nullptr,
+                .children = scene.optics == nullptr ? 2 : general::most_children(settings)}) {
+    if (scene.optics != nullptr) general.emplace(batch, settings, scene.textures != nullptr);
+  }
+  Workspace<R>& workspace() { return memory.workspace(); }
+};
+
+/// As Kernel::trace_rays().
+template <class R>
+void trace_rays(const Kernel<R>& kernel, const FrozenScene<R>& scene, const TraceSettings& settings,
+                TracerMemory<R>& memory, RayCounts& counts) {
+  if (memory.general)
+    general::trace_rays(scene, settings, *kernel.services, memory.workspace(),
+                        memory.general->workspace(), counts);
+  else
+    kernel.trace_rays(scene, settings, memory.workspace(), counts);
+}
+
+}  // namespace zraka

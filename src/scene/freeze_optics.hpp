@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The general engine's part of a scene.
+#pragma once
+
+#include <memory>
+#include <vector>
+#include <zraka/render.hpp>
+#include <zraka/scene.hpp>
+
+#include "math/frame.hpp"
+#include "scene/frozen_optics.hpp"
+
+namespace zraka {
+
+/// The memory behind FrozenOptics.
+struct StoredOptics {
+  FrozenOptics frozen{};
+  std::vector<OpticalMaterial> materials;
+  std::vector<OpticalLight> lights;
+};
+
+/// Whether a scene has anything that the lab's engine has not.
+bool has_optics(const Scene& scene);
+
+std::unique_ptr<StoredOptics> freeze_optics(const Scene& scene, const Profile& profile,
+                                            const Frame& frame);
+
+}  // namespace zraka

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the general engine needs of a scene besides what the lab's has: plain numbers in the
+// engine's frame.
+#pragma once
+
+#include <cstdint>
+#include <zraka/lights.hpp>
+#include <zraka/optics.hpp>
+
+#include "math/vec.hpp"
+
+namespace zraka {
+
+struct OpticalMaterial {
+  V3<double> k1, k2;      ///< shares per channel
+  V3<double> absorption;  ///< per unit of the engine's frame
+  double ior;
+  Dispersion dispersion;
+  Highlight highlight;
+  Fresnel fresnel;
+  int priority;
+  /// Textures give these coefficients, for all channels alike.
+  bool textured_k1, textured_k2;
+  bool absorbs() const { return absorption.x > 0 || absorption.y > 0 || absorption.z > 0; }
+  bool is_dispersive() const { return dispersion.kind != Dispersion::Kind::none; }
+};
+
+struct OpticalLight {
+  LightKind kind;
+  V3<double> position;   ///< of a rectangle, its corner
+  V3<double> direction;  ///< unit length, of travel: directional and spot
+  double constant, linear, quadratic;  ///< attenuation by distance in the engine's frame
+  double cos_inner, cos_outer;         ///< spot
+  V3<double> edge_u, edge_v;           ///< rectangle; disc: two radii at right angles
+  double radius;                       ///< sphere
+  int samples;                         ///< 1 for those that are no surfaces
+};
+
+struct OpticalSky {
+  Sky::Kind kind;
+  V3<double> bottom, top;
+  V3<double> up;         ///< unit length
+  V3<double> middle;     ///< image: unit length, horizontal, where its middle is
+  V3<double> right;      ///< image: a quarter of the way round to the right of it
+  std::uint32_t texture;
+};
+
+struct FrozenOptics {
+  const OpticalMaterial* materials;
+  const OpticalLight* lights;  ///< as many as FrozenScene::lights, which has their colours
+  OpticalSky sky;
+  int occlusion_samples;      ///< 0: none
+  double occlusion_distance;  ///< infinite: the whole scene
+  V3<double> occlusion_color;
+  bool nested;     ///< some material has a priority: bodies know what they stand in
+  bool absorbing;  ///< some material absorbs
+  bool index_is_ratio;
+  /// The most that a surface sends by itself, the sky's most, and the largest sum of the shares of
+  /// a hit's children: what bounds any ray's radiance follows from them.
+  double most_local, most_sky, most_shares;
+};
+
+}  // namespace zraka

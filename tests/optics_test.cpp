@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light and glass beyond the lab's: closed forms, and the same bits everywhere.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <zraka/render.hpp>
+
+#include "engine/general/steps.hpp"
+#include "engine/general/wavelengths.hpp"
+#include "scenes.hpp"
+
+namespace zraka {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+Image rendered(const Scene& scene, const RenderOptions& options = {}) {
+  Result<Rendering> rendering = render(scene, options);
+  if (!rendering) ADD_FAILURE() << to_string(rendering.error().front());
+  return rendering ? std::move(rendering->image) : Image(1, 1);
+}
+
+/// Looks down the z axis through a small window, so that all rays are nearly parallel.
+Scene narrow_scene(Material material = {}) {
+  Scene scene;
+  scene.resolution = {5, 5};
+  scene.camera = {{0, 0, 10}, {0, 0, 0}, {0.001, 0, 0}, {0, 0.001, 0}};
+  scene.materials = {material};
+  scene.ambient_light = {1, 1, 1};
+  return scene;
+}
+
+std::array<float, 3> middle(const Image& image) {
+  const float* p = image.row(image.height / 2) + 3 * (image.width / 2);
+  return {p[0], p[1], p[2]};
+}
+
+/// A square in the plane z = const, seen from +z.
+void add_wall(Scene& scene, double z, double half, std::uint32_t material) {
+  scene.parallelograms.push_back(
+      {Parallelogram{{-half, -half, z}, {2 * half, 0, 0}, {0, 2 * half, 0}}, material});
+}
+
+TEST(GeneralEngine, AgreesWithTheLabsOnItsScenes) {
+  for (const NamedScene& named : test_scenes(100)) {
+    for (const ProfileName profile : {ProfileName::lab, ProfileName::physical}) {
+      RenderOptions options{.profile = profile_of(profile)};
+      const Image lean = rendered(named.scene, options);
+      options.min_contribution = 1e-30;
+      EXPECT_GT(agreement(lean, rendered(named.scene, options), 1e-4f), 0.995) << named.name;
+    }
+  }
+}
+
+TEST(Fresnel, HasItsClosedForms) {
+  using general::fresnel_exact;
+  EXPECT_NEAR(fresnel_exact(1, 1 / 1.5), 0.04, 1e-15);
+  EXPECT_NEAR(fresnel_exact(1, 1.5), 0.04, 1e-15);
+  // At Brewster's angle light along the plane is not reflected: half of the other's remains.
+  const double brewster = std::atan(1.5), c = std::cos(brewster), other = std::sin(brewster);
+  const double across = std::pow((c / 1.5 - other) / (c / 1.5 + other), 2);
+  EXPECT_NEAR(fresnel_exact(c, 1 / 1.5), across / 2, 1e-15);
+  EXPECT_EQ(fresnel_exact(std::cos(std::asin(1 / 1.5) + 1e-9), 1.5), 1);
+  EXPECT_LT(fresnel_exact(std::cos(std::asin(1 / 1.5) - 1e-6), 1.5), 1);
+  EXPECT_EQ(fresnel_exact(0, 1 / 1.5), 1);
+  for (double angle = 0; angle < 1.5; angle += 0.01)
+    EXPECT_NEAR(general::fresnel_schlick(std::cos(angle), 1 / 1.5),
+                fresnel_exact(std::cos(angle), 1 / 1.5), 0.04);
+  EXPECT_NEAR(general::fresnel_schlick(1, 1.5), 0.04, 1e-15);
+  EXPECT_EQ(general::fresnel_schlick(0.5, 1.5), 1);
+}
+
+TEST(Wavelengths, MakeWhiteTogether) {
+  for (const int count : {1, 2, 3, 7, 12, 64}) {
+    const Wavelengths all = wavelengths_in(count);
+    for (int c = 0; c < 3; ++c) {
+      double sum = 0;
+      for (int i = 0; i < count; ++i) sum += static_cast<double>(all.weight[i][c]);
+      EXPECT_NEAR(sum, 1, 1e-6);
+    }
+  }
+  const Wavelengths fine = wavelengths_in(64);
+  const auto of = [&](double um, int c) {
+    int nearest = 0;
+    for (int i = 0; i < 64; ++i)
+      if (std::fabs(fine.um[i] - um) < std::fabs(fine.um[nearest] - um)) nearest = i;
+    return fine.weight[nearest][c];
+  };
+  EXPECT_GT(of(0.61, 0), 3 * std::fabs(of(0.61, 2)));
+  EXPECT_GT(of(0.535, 1), 0);
+  EXPECT_LT(of(0.51, 0), 0);  // beyond what red can be
+  EXPECT_GT(of(0.45, 2), 3 * of(0.45, 1));
+}
+
+TEST(Shares, CountPerChannel) {
+  Scene scene = narrow_scene({.ambient = {0.1, 0.1, 0.1}, .diffuse = {},
+                              .reflection = Color{0.25, 0.5, 0.75},
+                              .refraction = Color{0.5, 0.25, 0}});
+  scene.background = {1, 0.5, 0.25};
+  add_wall(scene, 0, 1, 0);
+  const auto seen = middle(rendered(scene));
+  EXPECT_NEAR(seen[0], 0.1 + 0.75 * 1, 1e-6);
+  EXPECT_NEAR(seen[1], 0.1 + 0.75 * 0.5, 1e-6);
+  EXPECT_NEAR(seen[2], 0.1 + 0.75 * 0.25, 1e-6);
+}
+
+TEST(Absorption, FollowsBeersLawThroughASlab) {
+  Scene scene = narrow_scene({.ambient = {}, .diffuse = {}, .refraction = 1, .ior = 1.3,
+                              .absorption = {0.1, 0.5, 2}});
+  scene.background = {1, 1, 1};
+  scene.boxes.push_back({Box{{-5, -5, -2}, {5, 5, 0.5}}, 0});
+  const auto seen = middle(rendered(scene));
+  EXPECT_NEAR(seen[0], std::exp(-0.25), 1e-5);
+  EXPECT_NEAR(seen[1], std::exp(-1.25), 1e-5);
+  EXPECT_NEAR(seen[2], std::exp(-5), 1e-5);
+  // Something opaque stands in the middle of it.
+  scene.materials.push_back({.ambient = {1, 1, 1}, .diffuse = {}});
+  scene.spheres.push_back({Sphere{{0, 0, -1.5}, 1}, 1});
+  EXPECT_NEAR(middle(rendered(scene))[1], std::exp(-0.5 * 1), 1e-5);
+}
+
+TEST(Highlights, AreBlinnsWhereAskedFor) {
+  Scene scene = narrow_scene({.ambient = {}, .diffuse = {}, .specular = {1, 1, 1},
+                              .shininess = 8, .highlight = Highlight::blinn});
+  add_wall(scene, 0, 1, 0);
+  scene.lights = {{{3, 0, 4}}};
+  // H is halfway between (0.6, 0, 0.8) and (0, 0, 1).
+  const double n_h = std::sqrt((1 + 0.8) / 2);
+  EXPECT_NEAR(middle(rendered(scene))[0], std::pow(n_h, 8), 1e-5);
+}
+
+TEST(Lights, FadeWithTheDistance) {
+  Scene scene = narrow_scene({.ambient = {}, .diffuse = {1, 1, 1}});
+  add_wall(scene, 0, 1, 0);
+  scene.lights = {{{0, 0, 2}}};
+  scene.lights[0].attenuation = {1, 0.5, 0.25};
+  EXPECT_NEAR(middle(rendered(scene))[0], 1.0 / 3, 1e-6);
+  // The same in other units.
+  for (const double scale : {1e-6, 1e6}) {
+    Scene other = scene;
+    other.camera = {{0, 0, 10 * scale}, {}, {0.001 * scale, 0, 0}, {0, 0.001 * scale, 0}};
+    other.parallelograms.clear();
+    add_wall(other, 0, scale, 0);
+    other.lights[0].position = {0, 0, 2 * scale};
+    other.lights[0].attenuation = {1, 0.5 / scale, 0.25 / scale / scale};
+    EXPECT_NEAR(middle(rendered(other))[0], 1.0 / 3, 1e-6);
+  }
+}
+
+TEST(Lights, MayBeDirectional) {
+  Scene scene = narrow_scene({.ambient = {}, .diffuse = {1, 1, 1}});
+  add_wall(scene, 0, 1, 0);
+  Light sun;
+  sun.kind = LightKind::directional;
+  sun.direction = {-3, 0, -4};
+  scene.lights = {sun};
+  EXPECT_NEAR(middle(rendered(scene))[0], 0.8, 1e-6);
+  scene.spheres.push_back({Sphere{{300, 0, 400}, 1}, 0});
+  EXPECT_EQ(middle(rendered(scene))[0], 0);
+}
+
+TEST(Lights, MayBeSpots) {
+  Scene scene = narrow_scene({.ambient = {}, .diffuse = {1, 1, 1}});
+  add_wall(scene, 0, 1, 0);
+  Light spot;
+  spot.kind = LightKind::spot;
+  spot.position = {0, 0, 5};
+  spot.inner_deg = 20, spot.outer_deg = 40;
+  const auto at = [&](double degrees) {
+    spot.direction = {std::sin(degrees * kPi / 180), 0, -std::cos(degrees * kPi / 180)};
+    scene.lights = {spot};
+    return static_cast<double>(middle(rendered(scene))[0]);
+  };
+  EXPECT_NEAR(at(19), 1, 1e-6);
+  EXPECT_EQ(at(41), 0);
+  const double x = (std::cos(30 * kPi / 180) - std::cos(40 * kPi / 180)) /
+                   (std::cos(20 * kPi / 180) - std::cos(40 * kPi / 180));
+  EXPECT_NEAR(at(30), x * x * (3 - 2 * x), 1e-6);
+}
+
+/// A disc of radius r throws a penumbra of the width 2·r·b/a where the edge of what throws it is a
+/// from the light and b from the screen.
+TEST(Lights, ThatAreDiscsHaveTheirPenumbra) {
+  Scene scene;
+  scene.resolution = {200, 1};
+  scene.camera = {{0, 1, 10}, {0, 0, 0}, {4, 0, 0}, {0, 0.02, 0}};
+  scene.camera.eye = {0, 0, 100};
+  scene.materials = {{.ambient = {}, .diffuse = {1, 1, 1}}};
+  add_wall(scene, 0, 50, 0);
+  Light disc;
+  disc.kind = LightKind::disc;
+  disc.position = {0, 0, 8};
+  disc.normal = {0, 0, -1};
+  disc.radius = 1;
+  disc.samples = 1024;
+  scene.lights = {disc};
+  // Covers x < 0, at z = 2: a = 6, b = 2, so the penumbra is 2/3 wide. Out of the camera's way.
+  scene.parallelograms.push_back({Parallelogram{{-60, -3, 2}, {60, 0, 0}, {0, 6, 0}}, 0});
+  scene.camera.eye = {0, 0, 1.9};
+  scene.camera.window_center = {0, 0, 0};
+  const Image image = rendered(scene);
+  double first = 9, last = -9;
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    const double x = (i + 0.5) / 200 * 4 - 2;
+    const double facing = 8 / std::sqrt(64 + x * x);
+    const double light = image.row(0)[3 * i] / facing;
+    if (light > 0.001) first = std::min(first, x);
+    if (light < 0.995) last = std::max(last, x);
+  }
+  EXPECT_NEAR(first, -1.0 / 3, 0.03);
+  EXPECT_NEAR(last, 1.0 / 3, 0.03);
+}
+
+TEST(AmbientOcclusion, IsOneUnderAnOpenSkyAndHalfAtAWall) {
+  Scene scene = narrow_scene({.ambient = {1, 1, 1}, .diffuse = {}});
+  scene.ambient_light = {1, 1, 1};
+  scene.ambient_occlusion.samples = 256;
+  add_wall(scene, 0, 1000, 0);
+  EXPECT_EQ(middle(rendered(scene))[0], 1);
+  // A wall that stands on it right beside the middle hides half of the sky.
+  scene.parallelograms.push_back({Parallelogram{{-0.002, -1e4, -1}, {0, 2e4, 0}, {0, 0, 2e4}}, 0});
+  EXPECT_NEAR(middle(rendered(scene))[0], 0.5, 0.004);
+  // Within a distance that does not reach it, nothing is hidden.
+  scene.ambient_occlusion.distance = 0.001;
+  EXPECT_EQ(middle(rendered(scene))[0], 1);
+}
+
+TEST(TransparentShadows, AreProductsOverBodiesOnceEach) {
+  Scene scene = narrow_scene({.ambient = {}, .diffuse = {1, 1, 1}});
+  scene.materials.push_back({.ambient = {}, .diffuse = {}, .refraction = Color{0.5, 0.25, 1}});
+  scene.materials.push_back({.ambient = {}, .diffuse = {}, .refraction = Color{0.5, 1, 0.5}});
+  add_wall(scene, 0, 1, 0);
+  scene.lights = {{{30, 0, 40}}};
+  const RenderOptions options{.shadows = Shadows::transparent};
+  // On the way to the light, overlapping.
+  scene.spheres.push_back({Sphere{{6, 0, 8}, 1}, 1});
+  scene.spheres.push_back({Sphere{{6.6, 0, 8.8}, 1}, 2});
+  auto seen = middle(rendered(scene, options));
+  EXPECT_NEAR(seen[0], 0.8 * 0.25, 1e-6);
+  EXPECT_NEAR(seen[1], 0.8 * 0.25, 1e-6);
+  EXPECT_NEAR(seen[2], 0.8 * 0.5, 1e-6);
+  EXPECT_EQ(middle(rendered(scene))[0], 0);
+  // The light inside of one of them.
+  scene.lights[0].position = {6.6 + 0.3, 0, 8.8 + 0.4};
+  EXPECT_NEAR(middle(rendered(scene, options))[0], 0.8 * 0.25, 1e-6);
+  // A torus is passed twice, and counts once.
+  scene.lights[0].position = {30, 0, 40};
+  scene.spheres.clear();
+  scene.tori.push_back({Torus{{12, 0, 16}, {0, 1, 0}, 2, 0.5}, 1});
+  EXPECT_NEAR(middle(rendered(scene, options))[0], 0.8 * 0.5, 1e-6);
+  // Something opaque behind it.
+  scene.spheres.push_back({Sphere{{18, 0, 24}, 1}, 0});
+  EXPECT_EQ(middle(rendered(scene, options))[0], 0);
+}
+
+TEST(TransparentShadows, AbsorbByTheLengthInside) {
+  Scene scene = narrow_scene({.ambient = {}, .diffuse = {1, 1, 1}});
+  scene.materials.push_back(
+      {.ambient = {}, .diffuse = {}, .refraction = 0.5, .absorption = {1, 0.5, 0}});
+  add_wall(scene, 0, 1, 0);
+  scene.lights = {{{30, 0, 40}}};
+  scene.spheres.push_back({Sphere{{6, 0, 8}, 0.75}, 1});
+  const auto seen = middle(rendered(scene, {.shadows = Shadows::transparent}));
+  EXPECT_NEAR(seen[0], 0.8 * 0.5 * std::exp(-1.5), 1e-5);
+  EXPECT_NEAR(seen[1], 0.8 * 0.5 * std::exp(-0.75), 1e-5);
+  EXPECT_NEAR(seen[2], 0.8 * 0.5, 1e-5);
+}
+
+/// A sphere of air in glass does not bend light as one of glass in air does; with priorities the
+/// air that is in the glass counts, or does not.
+TEST(Priorities, SayWhichOfOverlappingBodiesCounts) {
+  Scene scene;
+  scene.resolution = {1, 1};
+  scene.background = {1, 1, 1};
+  // 9 above the uppermost face, so that the ray comes to (0, 0, 1).
+  scene.camera = {{-4.5, 0, 10}, {0.5, 0, 0}, {1e-4, 0, 0}, {0, 1e-4, 0}};
+  // Glass with water, which overlap: the ray meets glass, water's face within it, then water alone.
+  scene.materials = {{.ambient = {}, .diffuse = {}, .refraction = 1, .ior = 1.5, .priority = 2},
+                     {.ambient = {}, .diffuse = {}, .refraction = 1, .ior = 1.33, .priority = 1},
+                     {.ambient = {1, 0, 0}, .diffuse = {}}};
+  scene.boxes.push_back({Box{{-5, -5, 0}, {5, 5, 1}}, 0});
+  scene.boxes.push_back({Box{{-6, -6, -2}, {6, 6, 0.4}}, 1});
+  // Where it comes out of the water, at z = -2, by Snell's law through parallel faces.
+  const double sine = 5 / std::sqrt(125.0);
+  const auto step = [&](double n, double thickness) {
+    const double s = sine / n;
+    return thickness * s / std::sqrt(1 - s * s);
+  };
+  const double exit = step(1.5, 1) + step(1.33, 2);
+  // A target that only that ray hits, just behind.
+  const double beyond = exit + 0.1 * sine / std::sqrt(1 - sine * sine);
+  scene.spheres.push_back({Sphere{{beyond, 0, -2.1}, 0.01}, 2});
+  RenderOptions options;
+  options.max_depth = 8;
+  EXPECT_NEAR(middle(rendered(scene, options))[1], 0, 1e-6);
+  // Without priorities each face bends as if air were on its other side.
+  scene.materials[0].priority = scene.materials[1].priority = 0;
+  EXPECT_NEAR(middle(rendered(scene, options))[1], 1, 1e-6);
+}
+
+TEST(Contributions, BelowTheThresholdAreBoundedByWhatWasCut) {
+  for (const NamedScene& named : test_scenes(100)) {
+    RenderOptions options{.profile = profile_of(ProfileName::physical)};
+    options.max_depth = 8;
+    options.min_contribution = 1e-30;
+    const Result<Rendering> full = render(named.scene, options);
+    options.min_contribution = 1.0 / 255;
+    const Result<Rendering> cut = render(named.scene, options);
+    ASSERT_TRUE(full && cut);
+    double most = 0;
+    for (std::size_t i = 0; i < full->image.pixels.size(); ++i)
+      most = std::max(most, std::fabs(static_cast<double>(full->image.pixels[i]) -
+                                      static_cast<double>(cut->image.pixels[i])));
+    EXPECT_LE(most, cut->stats.most_cut * 1.0001 + 1e-6) << named.name;
+    EXPECT_LE(cut->stats.rays.total(), full->stats.rays.total());
+  }
+}
+
+}  // namespace
+}  // namespace zraka
