@@ -23,7 +23,8 @@ enum class Reach {
   lit,        ///< the shadow ray reaches it
   unchecked,  ///< it lies before the surface, and the stage has no shadow rays
   behind,     ///< L·N < 0: neither diffuse nor specular
-  blocked     ///< the shadow ray hits a shape before the light
+  blocked,    ///< the shadow ray hits a shape before the light; of a surface, all of them
+  dark        ///< the hit is outside of the spot's cone
 };
 
 /// Of the shapes that a shadow ray hits, the one nearest to the hit.
@@ -33,7 +34,18 @@ struct Blocker {
   ExplainedPath path{};
 };
 
-/// One light at one hit. Terms that are not there were not added.
+/// A body that a shadow ray passes, or that stops it.
+struct PassedBody {
+  NamedShape shape;
+  ExplainedPath path{};
+  double distance = 0;           ///< from the shadow ray's start
+  Float3 share{};                ///< k2; 1 where the body has taken its share before, 0 stops the light
+  double length = 0;             ///< of the way before it, inside of what absorbs
+  Float3 transmittance{1, 1, 1};  ///< what is left after that
+};
+
+/// One light at one hit. Terms that are not there were not added. Of a light that is a surface the
+/// way, R·V and the highlight are those of the first sample, the terms the means of all.
 struct LightTerms {
   Reach reach = Reach::lit;
   double distance = 0;  ///< from the hit to the light
@@ -44,6 +56,11 @@ struct LightTerms {
   std::optional<float> r_v{};        ///< R·V; below 0 there is no specular term
   std::optional<float> highlight{};  ///< (R·V)^n
   std::optional<Float3> specular{};  ///< (Ii·ks)·(R·V)^n
+  Float3 arriving{};                 ///< Ii, less what distance and the spot's cone take
+  /// What transparent bodies leave of that, and which they are, in the order of distance.
+  std::optional<Float3> filter{};
+  std::vector<PassedBody> passed{};
+  int samples = 1, facing = 1, reaching = 1;  ///< shadow rays: all, those that face it, that reach it
 };
 
 /// Snell's law at a hit whose material refracts (sheet 3.5).
@@ -53,6 +70,8 @@ struct SnellTerms {
   float quarter_d = 0;       ///< D/4 = b²·cos²α - b² + 1
   bool total = false;        ///< D < 0: total internal reflection
   std::optional<float> a{};  ///< √(D/4) - b·cos α, if the refracted ray exists
+  double n1 = 0, n2 = 0;     ///< what b is the quotient of; 0: only b is known
+  std::optional<double> fresnel{};  ///< the share that the angle moves to reflection
 };
 
 /// Why a hit has no reflected or no refracted ray.
@@ -61,19 +80,41 @@ enum class Absence {
   share,  ///< its share is 0
   depth,  ///< the deepest level is reached
   stage,  ///< the stage does not have such rays
-  total   ///< total internal reflection
+  total,  ///< total internal reflection
+  contribution  ///< it could bring the pixel less than is asked for (sheet 8.3)
 };
 
 /// A missing ray of this weight in the pixel is worth a word.
 inline constexpr double kNotableWeight = 0.1;
 
 struct Child {
-  float share = 0;  ///< k1 or k2 as the fold takes it; 0 if there is no ray
+  float share = 0;  ///< k1 or k2 as the fold takes it, of channels the most; 0 if there is no ray
+  Float3 shares{};  ///< the same of each channel
   int ray = -1;     ///< index in RayTree::rays; -1: none
   Absence absence = Absence::none;
   /// What a ray that the depth cuts off would bring, followed two levels further; only where its
   /// weight is notable.
   std::optional<Float3> beyond{};
+};
+
+/// A refracted ray of one part of the spectrum.
+struct SplitChild {
+  double nm = 0;  ///< the middle of its part
+  Child child;
+};
+
+/// What a ray has come through to its hit.
+struct ThroughMedium {
+  std::uint32_t material = 0;  ///< index in Scene::materials
+  std::string name;
+  Float3 absorption{};         ///< per unit of length
+  Float3 transmittance{};      ///< exp(-a·d)
+};
+
+/// A body that a ray is inside of.
+struct NamedBody {
+  NamedShape shape;
+  ExplainedPath path{};
 };
 
 struct ExplainedHit {
@@ -90,13 +131,18 @@ struct ExplainedHit {
   Float3 normal{};       ///< N, towards the side that the ray came from
   bool flipped = false;  ///< N was turned: the ray came from inside, or from a flat shape's back
   Float3 ka{}, kd{}, ks{};
-  float shininess = 0, k1 = 0, k2 = 0;
+  float shininess = 0, k1 = 0, k2 = 0;  ///< k1 and k2: of channels the most
+  Float3 reflection{}, refraction{};    ///< k1 and k2 of each channel, before Fresnel
+  Highlight highlight = Highlight::phong;
+  std::optional<Float3> occlusion{};      ///< how much of the ambient light arrives
+  std::optional<ThroughMedium> medium{};  ///< that absorbs
   Float3 ambient{};  ///< Ia·ka; 1 for a silhouette, 0 where the stage has none
   std::vector<LightTerms>
       lights;      ///< in the scene's order; empty where the stage has no such terms
   Float3 local{};  ///< ambient and all lights' terms
   std::optional<SnellTerms> snell;
   Child reflected, refracted;
+  std::vector<SplitChild> split{};  ///< in the place of `refracted`, where a body is dispersive
   Float3 sum{};  ///< local + k1·Crefl + k2·Crefr, before it is clamped
 };
 
@@ -106,7 +152,10 @@ struct ExplainedRay {
   RayKind kind = RayKind::camera;
   int depth = 0;
   int parent = -1;    ///< index in RayTree::rays
-  double weight = 1;  ///< product of the shares on the way to the pixel
+  double weight = 1;  ///< product of the shares on the way to the pixel, of channels the most
+  Float3 shares{1, 1, 1};           ///< of its colour in its parent's sum
+  std::optional<double> nm{};       ///< its wavelength, if it is one part of a split ray
+  std::vector<NamedBody> inside{};  ///< where bodies absorb or have priorities
   Vec3 origin{};
   Float3 direction{};                 ///< unit length
   std::optional<ExplainedHit> hit{};  ///< none: the ray brings the background's colour
@@ -121,6 +170,7 @@ struct RayTree {
 struct ExplainedLight {
   Vec3 position;
   Float3 color{};  ///< Ii
+  Light light{};   ///< as the scene describes it
 };
 
 /// Rules of the sheet that a lesson breaks (the school library), in both languages.
@@ -142,6 +192,13 @@ struct Explanation {
   Float3 ambient_light{};  ///< Ia
   Float3 background{};
   std::vector<ExplainedLight> lights{};
+  /// Whether there is more than the lab's optics; then what rays of less than this contribution
+  /// were cut off, of which none brings more than `brightest`; into how many dispersion splits.
+  bool general = false;
+  double min_contribution = 0, brightest = 0;
+  int wavelengths = 0;
+  bool transparent_shadows = false;
+  std::uint32_t sample = 0, samples = 1;  ///< which of the pixel's is explained
   /// One; or four where the pixel is the mean of its corners: upper left, upper right, lower left,
   /// lower right.
   std::vector<RayTree> trees{};

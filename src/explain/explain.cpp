@@ -62,7 +62,13 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
                           .background = float3(stand.frozen().background)};
   for (std::size_t i = 0; i < stand.scene.lights.size(); ++i)
     explanation.lights.push_back(
-        {stand.scene.lights[i].position, float3(stand.frozen().lights[i].color)});
+        {stand.scene.lights[i].position, float3(stand.frozen().lights[i].color),
+         stand.scene.lights[i]});
+  explanation.general = stand.frozen().optics != nullptr;
+  explanation.min_contribution = stand.settings.min_contribution;
+  explanation.brightest = stand.settings.brightest;
+  explanation.wavelengths = stand.settings.wavelengths.count;
+  explanation.transparent_shadows = stand.settings.transparent_shadows;
   const std::uint32_t corners = stand.options.profile.average_corners ? 2 : 1;
   for (std::uint32_t j = 0; j < corners; ++j)
     for (std::uint32_t i = 0; i < corners; ++i) {

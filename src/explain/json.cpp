@@ -17,9 +17,9 @@ Json if_there(const std::optional<T>& value) {
   return value ? number_json(*value) : Json();
 }
 
-constexpr const char* kReachNames[] = {"lit", "unchecked", "behind", "blocked"};
+constexpr const char* kReachNames[] = {"lit", "unchecked", "behind", "blocked", "dark"};
 constexpr const char* kAbsenceNames[] = {"", "share is 0", "depth limit", "stage",
-                                         "total internal reflection"};
+                                         "total internal reflection", "contribution"};
 constexpr const char* kRayNames[] = {"camera", "reflected", "refracted"};
 
 Json light_json(const LightTerms& at, std::size_t light) {

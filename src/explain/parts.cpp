@@ -42,9 +42,7 @@ std::vector<Part> parts_of(const Explanation& explanation) {
           continue;
         }
         const auto parent = static_cast<std::size_t>(ray.parent);
-        const ExplainedHit& hit = *tree.rays[parent].hit;
-        const Child& child = ray.kind == RayKind::reflected ? hit.reflected : hit.refracted;
-        gain[c] *= gains[parent][c] * static_cast<double>(child.share);
+        gain[c] *= gains[parent][c] * static_cast<double>(ray.shares[c]);
       }
       const auto add = [&](Source source, std::size_t light, const Float3& term) {
         Part part{t, r, source, light, {}};
@@ -52,7 +50,7 @@ std::vector<Part> parts_of(const Explanation& explanation) {
         parts.push_back(part);
       };
       if (!ray.hit) {
-        add(Source::background, 0, explanation.background);
+        add(Source::background, 0, ray.color);
         continue;
       }
       add(explanation.terms.silhouette ? Source::silhouette : Source::ambient, 0, ray.hit->ambient);

@@ -4,17 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "explain/general_reader.hpp"
 #include "explain/hit_reader.hpp"
 #include "render/workspace.hpp"
 
 namespace zraka {
 namespace {
-
-/// Where a tree stopped because it does not fit.
-struct TooLarge {
-  std::size_t levels = 0, rays = 0, more = 0;  ///< whole levels, their rays, the next level's
-  std::uint64_t terms = 0;                     ///< of light, if they are what is too much
-};
 
 /// Builds the tree of one ray from what the steps tell. Each level has to come in one batch.
 class TreeReader {
@@ -52,6 +47,7 @@ class TreeReader {
     RayKind kind;
     int parent;
     double weight;
+    Float3 shares{1, 1, 1};
   };
 
   std::size_t depth_of(const Level<float>& level) {
@@ -62,6 +58,10 @@ class TreeReader {
   }
   ExplainedHit& hit(const Level<float>& level, std::size_t h) {
     return *tree_.rays[ray_of_hit(level, h)].hit;
+  }
+  Float3 color_of(std::int32_t light) const {
+    const V3<float>& c = stand_.frozen().lights[light].color;
+    return {c.x, c.y, c.z};
   }
   ExplainedHit surface(const Level<float>& level, const Scratch<float>& s, std::size_t h) const;
   Absence absence(float share, bool in_stage) const;
@@ -102,6 +102,8 @@ ExplainedHit TreeReader::surface(const Level<float>& level, const Scratch<float>
   hit.shininess = m[kShininess];
   hit.k1 = m[kReflection];
   hit.k2 = m[kRefraction];
+  hit.reflection = {hit.k1, hit.k1, hit.k1};
+  hit.refraction = {hit.k2, hit.k2, hit.k2};
   hit.ambient = {level.hits.r[h], level.hits.g[h], level.hits.b[h]};
   hit.reflected.absence = absence(hit.k1, settings_.terms.reflection);
   hit.refracted.absence = absence(hit.k2, settings_.terms.refraction);
@@ -117,6 +119,7 @@ void TreeReader::at_hits(const Level<float>& level, const Scratch<float>& s) {
                           .depth = static_cast<int>(depth_of(level)),
                           .parent = awaited_[i].parent,
                           .weight = awaited_[i].weight,
+                          .shares = awaited_[i].shares,
                           .origin = stand_.world_point(rays.ox[i], rays.oy[i], rays.oz[i]),
                           .direction = {rays.dx[i], rays.dy[i], rays.dz[i]}});
   }
@@ -144,7 +147,8 @@ void TreeReader::at_light(std::int32_t light, std::size_t shadow_rays, const Lev
         {.reach = Reach::behind,
          .distance = stand_.length(terms_.at(Quantity::light_distance, h)),
          .to_light = terms_.three_at(Quantity::to_light, h),
-         .l_n = terms_.at(Quantity::l_n, h)});
+         .l_n = terms_.at(Quantity::l_n, h),
+         .arriving = color_of(light)});
   for (std::size_t i = 0; i < shadow_rays; ++i) {
     const auto h = static_cast<std::size_t>(s.shadow_ray_hit[i]);
     LightTerms& at = of_light(h);
@@ -197,9 +201,10 @@ void TreeReader::at_children(const Level<float>& level, const Level<float>& next
     }
     const auto take = [&](Child& child, float share, std::int32_t index, RayKind kind) {
       if (index < 0) return;
-      child = {share, static_cast<int>(first_of_next) + index, Absence::none};
+      child = {share, {share, share, share}, static_cast<int>(first_of_next) + index};
       awaited_[static_cast<std::size_t>(index)] = {
-          kind, static_cast<int>(parent), tree_.rays[parent].weight * static_cast<double>(share)};
+          kind, static_cast<int>(parent), tree_.rays[parent].weight * static_cast<double>(share),
+          {share, share, share}};
     };
     take(at.reflected, level.hits.reflection[h], level.hits.reflected[h], RayKind::reflected);
     take(at.refracted, level.hits.refraction[h], level.hits.refracted[h], RayKind::refracted);
@@ -224,6 +229,12 @@ Result<RayTree> read_tree(const Stand& stand, const TraceSettings& settings, std
   const TileRect pixel{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), 1, 1};
   TooLarge too_large;
   for (std::int32_t batch = 64; batch <= kMaxExplainedRays; batch *= 16) {
+    if (stand.frozen().optics != nullptr) {
+      if (std::optional<RayTree> tree =
+              read_general_tree(stand, settings, {pixel.x, pixel.y, 0}, batch, too_large))
+        return std::move(*tree);
+      continue;
+    }
     TreeReader reader(stand, settings, batch);
     if (!reader.read(pixel)) {
       too_large = reader.too_large();

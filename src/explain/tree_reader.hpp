@@ -46,6 +46,12 @@ struct Stand {
   }
 };
 
+/// Where a tree stopped because it does not fit.
+struct TooLarge {
+  std::size_t levels = 0, rays = 0, more = 0;  ///< whole levels, their rays, the next level's
+  std::uint64_t terms = 0;                     ///< of light, if they are what is too much
+};
+
 /// The tree of the ray through a corner or the centre of a pixel, to the depth of the settings.
 /// Fails where it is too large.
 Result<RayTree> read_tree(const Stand& stand, const TraceSettings& settings, std::uint32_t x,

@@ -189,6 +189,7 @@ void find_hits(const Batch<R>& batch) {
     const std::uint64_t body = hit.body;
     hit = {};
     hit.body = body;
+    hit.material = batch.scratch.material[h];
     hit.medium = -1;
     hit.transmittance = {R(1), R(1), R(1)};
     if (!batch.optics().absorbing && !batch.optics().nested) continue;
@@ -209,7 +210,7 @@ template <class R>
 void fold(const Batch<R>& batch, const Level<R>* next, const RayState<R>* next_rays) {
   Level<R>& level = batch.level;
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
-    const HitState<R>& hit = batch.hits[h];
+    HitState<R>& hit = batch.hits[h];
     V3<R> color{level.hits.r[h], level.hits.g[h], level.hits.b[h]};
     R cut = most_of(hit.missing);
     if (next != nullptr)
@@ -218,6 +219,7 @@ void fold(const Batch<R>& batch, const Level<R>* next, const RayState<R>* next_r
         color = color + next_rays[c].share * brought;
         cut += most_of(next_rays[c].share) * next_rays[c].cut;
       }
+    hit.sum = color;
     if (batch.settings.clamp_levels) {
       const auto clamp = [](R v) { return v > R(0) ? (v < R(1) ? v : R(1)) : R(0); };
       color = {clamp(color.x), clamp(color.y), clamp(color.z)};

@@ -66,6 +66,8 @@ struct HitState {
   std::int32_t first_child, child_count;
   std::uint64_t body;
   // For explanations.
+  V3<R> sum;              ///< local light and children, before clamping and transmittance
+  std::int32_t material;
   double cosine, ratio, quarter_d, fresnel;
   std::int32_t medium;  ///< whose inside the ray came through: a material; -1: none
   double n1, n2;        ///< what ratio is the quotient of; 1 where unknown

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: Apache-2.0
+// Listens to the general engine on one sample of one pixel.
+#include "explain/general_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "engine/coefficients.hpp"
+#include "engine/general/steps.hpp"
+#include "explain/hit_reader.hpp"
+#include "render/tracer.hpp"
+
+namespace zraka {
+namespace {
+
+Float3 float3(const V3<float>& v) {
+  return {v.x, v.y, v.z};
+}
+float most_of(const Float3& v) {
+  return std::max({v[0], v[1], v[2]});
+}
+
+class GeneralReader final : public general::Listener<float> {
+ public:
+  GeneralReader(const Stand& stand, const TraceSettings& settings, std::int32_t batch)
+      : stand_(stand),
+        settings_(settings),
+        hit_reader_(stand.scene, *stand.prepared.store, stand.prepared.frame),
+        memory_(batch, stand.frozen(), settings, true),
+        first_(static_cast<std::size_t>(settings.max_depth) + 2) {
+    memory_.general->workspace().listener = this;
+  }
+
+  /// False if the tree does not fit.
+  bool read(const CameraSample& sample);
+
+  RayTree& tree() { return tree_; }
+  const TooLarge& too_large() const { return too_large_; }
+
+  void at_hits(const Level<float>& level, const Scratch<float>& s,
+               const general::GeneralWorkspace<float>& workspace,
+               const V3<float>* occlusion) override;
+  void at_passed(const general::Passed<float>& passed) override;
+  void at_light(std::int32_t light, const Level<float>& level,
+                const general::LightSum<float>* sums) override;
+  void at_children(const Level<float>& level, const Level<float>& next,
+                   const general::GeneralWorkspace<float>& workspace) override;
+  void at_fold(const Level<float>& level,
+               const general::GeneralWorkspace<float>& workspace) override;
+
+ private:
+  struct Awaited {
+    RayKind kind;
+    int parent;
+    double weight;
+    Float3 shares{1, 1, 1};
+    std::optional<double> nm{};
+  };
+
+  std::size_t depth_of(const Level<float>& level) {
+    return static_cast<std::size_t>(&level - memory_.workspace().levels);
+  }
+  std::size_t ray_of_hit(const Level<float>& level, std::size_t h) {
+    return first_[depth_of(level)] + static_cast<std::size_t>(level.hits.ray[h]);
+  }
+  ExplainedHit& hit(const Level<float>& level, std::size_t h) {
+    return *tree_.rays[ray_of_hit(level, h)].hit;
+  }
+  ExplainedHit surface(const Level<float>& level, const Scratch<float>& s,
+                       const general::HitState<float>& state, std::size_t h);
+  void read_children(ExplainedHit& at, const general::HitState<float>& state,
+                     const general::RayState<float>* children, std::size_t parent,
+                     std::size_t first_of_next);
+
+  const Stand& stand_;
+  const TraceSettings& settings_;
+  HitReader hit_reader_;
+  TracerMemory<float> memory_;
+  RayTree tree_;
+  std::vector<std::size_t> first_;
+  std::vector<Awaited> awaited_{{RayKind::camera, -1, 1.0}};
+  /// What bodies that rays are inside of are called, as far as their surfaces have been hit.
+  std::map<std::uint64_t, NamedBody> bodies_;
+  /// Of the light at hand, by hit: what its first sample passes.
+  std::map<std::int32_t, std::vector<PassedBody>> passed_;
+  TooLarge too_large_;
+};
+
+void put_camera_ray(const Stand& stand, const CameraSample& sample, Workspace<float>& workspace) {
+  const FrozenCamera<float>& c = stand.frozen().camera;
+  RayArrays<float>& rays = workspace.levels[0].rays;
+  workspace.samples[0] = sample;
+  V3<float> d = (c.first + c.down * static_cast<float>(sample.y)) + c.right * static_cast<float>(sample.x);
+  d = d * (1 / std::sqrt(dot(d, d)));
+  rays.ox[0] = c.eye.x, rays.oy[0] = c.eye.y, rays.oz[0] = c.eye.z;
+  rays.dx[0] = d.x, rays.dy[0] = d.y, rays.dz[0] = d.z;
+  workspace.levels[0].ray_count = 1;
+  if (stand.frozen().textures != nullptr) start_cones(c, workspace.levels[0]);
+}
+
+bool GeneralReader::read(const CameraSample& sample) {
+  RayCounts counts;
+  put_camera_ray(stand_, sample, memory_.workspace());
+  trace_rays(*stand_.kernel, stand_.frozen(), settings_, memory_, counts);
+  return !stop;
+}
+
+ExplainedHit GeneralReader::surface(const Level<float>& level, const Scratch<float>& s,
+                                    const general::HitState<float>& state, std::size_t h) {
+  const auto ray = static_cast<std::size_t>(level.hits.ray[h]);
+  const float* m = s.coefficients + std::ptrdiff_t{s.row[h]} * kMaterialReals;
+  const OpticalMaterial& material = stand_.frozen().optics->materials[s.material[h]];
+  ExplainedHit hit;
+  hit.shape = stand_.named(s.slot[ray]);
+  hit.distance = stand_.length(s.t[ray]);
+  hit.point = stand_.world_point(s.px[h], s.py[h], s.pz[h]);
+  hit.normal = {s.nx[h], s.ny[h], s.nz[h]};
+  hit.flipped = s.inside[h] > 0;
+  hit.ka = {m[kAmbient], m[kAmbient + 1], m[kAmbient + 2]};
+  hit.kd = {m[kDiffuse], m[kDiffuse + 1], m[kDiffuse + 2]};
+  hit.ks = {m[kSpecular], m[kSpecular + 1], m[kSpecular + 2]};
+  hit.shininess = m[kShininess];
+  hit.reflection = float3(general::reflection_of(material, m));
+  hit.refraction = float3(general::refraction_of(material, m));
+  hit.k1 = most_of(hit.reflection);
+  hit.k2 = most_of(hit.refraction);
+  hit.highlight = material.highlight;
+  hit.ambient = {level.hits.r[h], level.hits.g[h], level.hits.b[h]};
+  const auto absence = [&](float share, bool in_stage) {
+    if (share == 0) return Absence::share;
+    return in_stage && !settings_.terms.silhouette ? Absence::depth : Absence::stage;
+  };
+  hit.reflected.absence = absence(hit.k1, settings_.terms.reflection);
+  hit.refracted.absence = absence(hit.k2, settings_.terms.refraction);
+  hit_reader_.read(level, s, h, ray, hit);
+  if (state.medium >= 0 && stand_.frozen().optics->materials[state.medium].absorbs()) {
+    const auto index = static_cast<std::uint32_t>(state.medium);
+    const Color& a = stand_.scene.materials[index].absorption;
+    const auto name = stand_.scene.material_names.find(index);
+    hit.medium = {index,
+                  name == stand_.scene.material_names.end() ? std::string() : name->second,
+                  {static_cast<float>(a.r), static_cast<float>(a.g), static_cast<float>(a.b)},
+                  float3(state.transmittance)};
+  }
+  bodies_.insert({state.body, {hit.shape, hit.path}});
+  return hit;
+}
+
+void GeneralReader::at_hits(const Level<float>& level, const Scratch<float>& s,
+                            const general::GeneralWorkspace<float>& workspace,
+                            const V3<float>* occlusion) {
+  const std::size_t depth = depth_of(level);
+  const std::size_t first = first_[depth] = tree_.rays.size();
+  const general::HitState<float>* const states = workspace.hits[depth].data();
+  for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h)
+    bodies_.insert({states[h].body,
+                    {stand_.named(s.slot[level.hits.ray[h]]), hit_reader_.path(&s.paths[h])}});
+  for (std::size_t i = 0; i < awaited_.size(); ++i) {
+    const RayArrays<float>& rays = level.rays;
+    ExplainedRay ray{.kind = awaited_[i].kind,
+                     .depth = static_cast<int>(depth),
+                     .parent = awaited_[i].parent,
+                     .weight = awaited_[i].weight,
+                     .shares = awaited_[i].shares,
+                     .nm = awaited_[i].nm,
+                     .origin = stand_.world_point(rays.ox[i], rays.oy[i], rays.oz[i]),
+                     .direction = {rays.dx[i], rays.dy[i], rays.dz[i]}};
+    const general::Inside& inside = workspace.rays[depth][i].inside;
+    for (std::int32_t b = 0; b < inside.count; ++b)
+      if (const auto body = bodies_.find(inside.list[b].body); body != bodies_.end())
+        ray.inside.push_back(body->second);
+    tree_.rays.push_back(std::move(ray));
+  }
+  awaited_.clear();
+  for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
+    ExplainedHit found = surface(level, s, states[h], h);
+    if (occlusion != nullptr) found.occlusion = float3(occlusion[h]);
+    tree_.rays[first + static_cast<std::size_t>(level.hits.ray[h])].hit = std::move(found);
+  }
+  passed_.clear();
+  const std::uint64_t terms =
+      std::uint64_t{tree_.rays.size()} * static_cast<std::uint64_t>(stand_.frozen().light_count);
+  if (terms <= kMaxExplainedTerms) return;
+  too_large_ = {depth, first, tree_.rays.size() - first, terms};
+  stop = true;
+}
+
+void GeneralReader::at_passed(const general::Passed<float>& passed) {
+  if (passed.sample != 0 || stop) return;
+  passed_[passed.hit].push_back({stand_.named(passed.slot), hit_reader_.path(passed.path),
+                                 stand_.prepared.frame.world_length(passed.distance),
+                                 float3(passed.share),
+                                 stand_.prepared.frame.world_length(passed.length),
+                                 float3(passed.transmittance)});
+}
+
+void GeneralReader::at_light(std::int32_t light, const Level<float>& level,
+                             const general::LightSum<float>* sums) {
+  if (stop) return;
+  const Terms& stage = settings_.terms;
+  const int samples = stand_.frozen().optics->lights[light].samples;
+  for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
+    const general::LightSum<float>& sum = sums[h];
+    LightTerms at{.reach = Reach::behind,
+                  .distance = stand_.prepared.frame.world_length(sum.distance),
+                  .to_light = {static_cast<float>(sum.to_light.x),
+                               static_cast<float>(sum.to_light.y),
+                               static_cast<float>(sum.to_light.z)},
+                  .l_n = static_cast<float>(sum.l_n),
+                  .arriving = float3(sum.radiance),
+                  .samples = samples,
+                  .facing = sum.facing,
+                  .reaching = sum.lit};
+    if (const auto passed = passed_.find(static_cast<std::int32_t>(h)); passed != passed_.end())
+      at.passed = std::move(passed->second);
+    if (sum.facing > 0) at.reach = sum.lit > 0 || !stage.shadows ? Reach::lit : Reach::blocked;
+    if (sum.facing > 0 && !stage.shadows) at.reach = Reach::unchecked;
+    const bool darkened = sum.radiance.x == 0 && sum.radiance.y == 0 && sum.radiance.z == 0;
+    if (at.reach == Reach::blocked && darkened && samples == 1) at.reach = Reach::dark;
+    if (!at.passed.empty()) {
+      const PassedBody& last = at.passed.back();
+      if (at.reach == Reach::blocked) at.blocker = {last.shape, last.distance, last.path};
+      if (settings_.transparent_shadows) at.filter = float3(sum.filter);
+    }
+    if (sum.lit > 0) {
+      if (stage.diffuse) at.diffuse = float3(sum.diffuse);
+      const bool shines = hit(level, h).ks != Float3{};
+      if (stage.specular && shines) {
+        at.r_v = static_cast<float>(sum.cosine);
+        at.highlight = static_cast<float>(sum.highlight);
+        if (float3(sum.specular) != Float3{}) at.specular = float3(sum.specular);
+      }
+    }
+    hit(level, h).lights.push_back(std::move(at));
+  }
+  passed_.clear();
+}
+
+void GeneralReader::read_children(ExplainedHit& at, const general::HitState<float>& state,
+                                  const general::RayState<float>* children, std::size_t parent,
+                                  std::size_t first_of_next) {
+  if (state.refracts) {
+    at.snell = {.cosine = static_cast<float>(state.cosine),
+                .ratio = static_cast<float>(state.ratio),
+                .quarter_d = static_cast<float>(state.quarter_d),
+                .total = state.total,
+                .n1 = state.n1,
+                .n2 = state.n2};
+    if (stand_.frozen().optics->materials[state.material].fresnel != Fresnel::off)
+      at.snell->fresnel = state.total ? 1 : state.fresnel;
+    if (state.total && !state.split) at.refracted.absence = Absence::total;
+    if (!state.total)
+      at.snell->a = static_cast<float>(std::sqrt(state.quarter_d) - state.ratio * state.cosine);
+  }
+  if (state.reflected_cut) at.reflected.absence = Absence::contribution;
+  if (state.refracted_cut) at.refracted.absence = Absence::contribution;
+  for (std::int32_t c = state.first_child; c < state.first_child + state.child_count; ++c) {
+    const general::RayState<float>& ray = children[c];
+    const Float3 shares = float3(ray.share);
+    const Child child{most_of(shares), shares,
+                      static_cast<int>(first_of_next) + static_cast<int>(c)};
+    Awaited& awaited = awaited_[static_cast<std::size_t>(c)];
+    awaited = {ray.kind == general::RayKind::reflected ? RayKind::reflected : RayKind::refracted,
+               static_cast<int>(parent), static_cast<double>(most_of(float3(ray.weight))), shares};
+    if (ray.wavelength >= 0) awaited.nm = settings_.wavelengths.um[ray.wavelength] * 1000;
+    if (ray.kind == general::RayKind::reflected)
+      at.reflected = child;
+    else if (state.split)
+      at.split.push_back({*awaited.nm, child});
+    else
+      at.refracted = child;
+  }
+  if (!at.split.empty()) at.refracted.absence = Absence::none;
+}
+
+void GeneralReader::at_children(const Level<float>& level, const Level<float>& next,
+                                const general::GeneralWorkspace<float>& workspace) {
+  const auto more = static_cast<std::size_t>(next.ray_count);
+  const std::size_t first_of_next = tree_.rays.size(), depth = depth_of(level);
+  if (first_of_next + more > kMaxExplainedRays ||
+      next.ray_count > memory_.workspace().batch) {
+    if (!stop) too_large_ = {depth + 1, first_of_next, more, 0};
+    stop = true;
+  }
+  if (stop) return;
+  awaited_.resize(more);
+  for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h)
+    read_children(hit(level, h), workspace.hits[depth][h], workspace.rays[depth + 1].data(),
+                  ray_of_hit(level, h), first_of_next);
+}
+
+void GeneralReader::at_fold(const Level<float>& level,
+                            const general::GeneralWorkspace<float>& workspace) {
+  if (stop) return;
+  const std::size_t depth = depth_of(level), first = first_[depth];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(level.ray_count); ++i)
+    tree_.rays[first + i].color = {level.rays.r[i], level.rays.g[i], level.rays.b[i]};
+  for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
+    hit(level, h).local = {level.hits.r[h], level.hits.g[h], level.hits.b[h]};
+    hit(level, h).sum = float3(workspace.hits[depth][h].sum);
+  }
+}
+
+}  // namespace
+
+std::optional<RayTree> read_general_tree(const Stand& stand, const TraceSettings& settings,
+                                         const CameraSample& sample, std::int32_t batch,
+                                         TooLarge& too_large) {
+  GeneralReader reader(stand, settings, batch);
+  if (reader.read(sample)) return std::move(reader.tree());
+  too_large = reader.too_large();
+  return std::nullopt;
+}
+
+}  // namespace zraka
