@@ -187,7 +187,7 @@ TEST(Instances, OfOneMeshCostItsMemoryOnce) {
                                   {(i % 100) * 0.05 - 2.5, (i / 100) * 0.05 - 2.5, 0}});
       scene.instances.push_back({{0}, 0, static_cast<std::uint32_t>(i + 1)});
     }
-    return prepare<float>(scene, profile_of(ProfileName::physical)).store->bytes();
+    return prepare<float>(scene, RenderOptions{}).store->bytes();
   };
   const std::uint64_t one = bytes_of(1), many = bytes_of(10000);
   EXPECT_GT(one, 9800u * 9 * sizeof(float));
