@@ -62,7 +62,7 @@ build() {
   mkdir -p "build/$preset"
   if [ ! -f "build/$preset/build.ninja" ] ||
     { [ "$tests" = ON ] && ! grep -q '^ZRAKA_TESTS:BOOL=ON' "build/$preset/CMakeCache.txt"; }; then
-    [ "$preset" = clang ] || check_compiler
+    case $preset in clang | asan | fuzz) ;; *) check_compiler ;; esac
     cmake --preset "$preset" -DZRAKA_TESTS="$tests" >"$log" 2>&1 || {
       cat "$log" >&2
       rm -f "build/$preset/CMakeCache.txt" "build/$preset/build.ninja"
