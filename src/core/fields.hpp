@@ -23,6 +23,7 @@ namespace zraka {
 using Points = std::vector<Vec3>;
 using Colors = std::vector<Color>;
 using Numbers = std::vector<double>;
+using Integers = std::vector<std::int64_t>;
 /// A texture, as its index in Scene::textures; of many fields in the place of a value.
 struct TextureIndex {
   std::uint32_t index = 0;
@@ -38,9 +39,9 @@ struct Chosen {
   friend bool operator==(const Chosen&, const Chosen&) = default;
 };
 /// monostate: an optional member that holds nothing.
-using FieldValue =
-    std::variant<std::monostate, double, std::int64_t, bool, Vec3, Color, std::string, Chosen,
-                 Points, Colors, Numbers, CornerUvs, Transform, TextureIndex, ShapeTables>;
+using FieldValue = std::variant<std::monostate, double, std::int64_t, bool, Vec3, Color,
+                                std::string, Chosen, Points, Colors, Numbers, Integers, CornerUvs,
+                                Transform, TextureIndex, ShapeTables>;
 
 enum class FieldKind {
   number,
@@ -53,6 +54,7 @@ enum class FieldKind {
   points,
   colors,
   numbers,
+  integers,
   uvs,
   transform,
   texture,
@@ -66,9 +68,11 @@ enum class Unit {
   degrees,
   point,
   direction,
+  attenuation,  ///< c, l and q in c + l·d + q·d²
   pixels,
   name_of_material,
   name_of_group,
+  name_of_glass,
   picture,
   mesh
 };
@@ -96,7 +100,6 @@ constexpr Range between(double least, double most) {
 struct Choice {
   std::string_view name;
   std::string_view text;  ///< what it means, without a full stop
-  bool built = true;
 };
 
 struct Table;
@@ -111,10 +114,12 @@ struct About {
   std::size_t fewest = 0;             ///< points, colours, numbers, shapes
   std::size_t most = std::numeric_limits<std::size_t>::max();
   std::string_view symbol{};  ///< the lab sheet's
-  /// What the language names for it besides, but is not built yet: "a texture".
-  std::string_view later{};
-  bool textured = false;  ///< a texture may stand in the place of the value
-  bool closed = false;    ///< of shapes: closed bodies alone
+  bool textured = false;      ///< a texture may stand in the place of the value
+  bool closed = false;        ///< of shapes: closed bodies alone
+  std::string_view also{};    ///< another key that means the same
+  /// Of several tables: their names are the values of a key `kind`. Otherwise each is known by its
+  /// first key, which it needs.
+  bool by_kind = false;
 };
 
 struct Field {
@@ -123,17 +128,13 @@ struct Field {
   About about{};
   FieldValue (*get)(const void* object) = nullptr;
   void (*set)(void* object, FieldValue&& value) = nullptr;
-  /// Of a field that is a table itself.
-  const Table* table = nullptr;
-  void* (*inside)(void* object) = nullptr;
-  /// The same for reading only; nullptr where an optional member holds nothing.
-  const void* (*look_inside)(const void* object) = nullptr;
-  /// Not built yet; of some, the value that means what is built is taken: a number, a word or a
-  /// vector.
-  bool built = true;
-  std::optional<double> only_number{};
-  std::string_view only_word{};
-  std::optional<Vec3> only_vector{};
+  /// Of a field that is a table itself: those that it may be, in the place of a value if its kind
+  /// is not `table`.
+  std::span<const Table* const> tables{};
+  /// The object of one of the tables, which the member then holds.
+  void* (*inside)(void* object, std::size_t table) = nullptr;
+  /// The same for reading only; nullptr where the member holds something else, or nothing.
+  const void* (*look_inside)(const void* object, std::size_t table) = nullptr;
 };
 
 /// The fields of a type.
@@ -163,6 +164,10 @@ template <class T>
 constexpr std::size_t numbers_of = 0;
 template <std::size_t N>
 constexpr std::size_t numbers_of<std::array<double, N>> = N;
+template <class T>
+constexpr std::size_t integers_of = 0;
+template <std::size_t N>
+constexpr std::size_t integers_of<std::array<int, N>> = N;
 
 template <class M>
 constexpr FieldKind kind_of() {
@@ -188,6 +193,8 @@ constexpr FieldKind kind_of() {
     return FieldKind::colors;
   else if constexpr (numbers_of<M> != 0)
     return FieldKind::numbers;
+  else if constexpr (integers_of<M> != 0)
+    return FieldKind::integers;
   else if constexpr (std::is_same_v<M, CornerUvs>)
     return FieldKind::uvs;
   else if constexpr (std::is_same_v<M, Transform>)
@@ -212,6 +219,8 @@ FieldValue value_of(const M& member) {
     return Chosen{static_cast<int>(member)};
   else if constexpr (numbers_of<M> != 0)
     return Numbers(member.begin(), member.end());
+  else if constexpr (integers_of<M> != 0)
+    return Integers(member.begin(), member.end());
   else if constexpr (std::is_same_v<M, Share>)
     return static_cast<const Color&>(member);
   else
@@ -230,6 +239,9 @@ void put_into(M& member, FieldValue&& value) {
     member = static_cast<M>(std::get<Chosen>(value).index);
   else if constexpr (numbers_of<M> != 0)
     std::copy_n(std::get<Numbers>(value).begin(), numbers_of<M>, member.begin());
+  else if constexpr (integers_of<M> != 0)
+    std::transform(std::get<Integers>(value).begin(), std::get<Integers>(value).end(),
+                   member.begin(), [](std::int64_t one) { return static_cast<int>(one); });
   else if constexpr (std::is_same_v<M, Share>)
     member = std::get<Color>(value);
   else
@@ -247,6 +259,8 @@ constexpr Field field(std::string_view key, const About& about) {
   Field made{.key = key, .kind = fields::kind_of<Member>(), .about = about};
   if constexpr (fields::numbers_of<Member> != 0)
     made.about.fewest = made.about.most = fields::numbers_of<Member>;
+  if constexpr (fields::integers_of<Member> != 0)
+    made.about.fewest = made.about.most = fields::integers_of<Member>;
   made.get = [](const void* object) {
     return fields::value_of(static_cast<const Object*>(object)->*member);
   };
@@ -256,42 +270,78 @@ constexpr Field field(std::string_view key, const About& about) {
   return made;
 }
 
+namespace fields {
+
+template <const Table&... tables>
+inline constexpr const Table* kTables[] = {&tables...};
+
+/// What a member holds that is nothing, a value or the object of a table.
+template <class M>
+struct Holder {
+  static constexpr bool kHasValue = false;
+  static void* begin(M& member, std::size_t) {
+    if constexpr (is_optional<M>)
+      return &member.emplace();
+    else
+      return &member;
+  }
+  static const void* look(const M& member, std::size_t) {
+    if constexpr (is_optional<M>)
+      return member ? &*member : nullptr;
+    else
+      return &member;
+  }
+};
+/// The first is nothing or the value, the others the objects of the tables.
+template <class First, class... Objects>
+struct Holder<std::variant<First, Objects...>> {
+  using Member = std::variant<First, Objects...>;
+  static constexpr bool kHasValue = !std::is_same_v<First, std::monostate>;
+  using Value = First;
+
+  static void* begin(Member& member, std::size_t table) {
+    void* found = nullptr;
+    std::size_t i = 0;
+    ((i++ == table ? static_cast<void>(found = &member.template emplace<Objects>()) : void()), ...);
+    return found;
+  }
+  static const void* look(const Member& member, std::size_t table) {
+    const void* found = nullptr;
+    if (member.index() == table + 1)
+      std::visit([&](const auto& object) { found = &object; }, member);
+    return found;
+  }
+};
+
+}  // namespace fields
+
 /// A field whose value is a table of fields itself; where the member is optional it may be missing.
-template <auto member>
-constexpr Field table_field(std::string_view key, const Table& table, const About& about) {
+/// A variant is one of several tables; or, if it begins with something else than monostate, that.
+template <auto member, const Table&... tables>
+constexpr Field table_field(std::string_view key, const About& about) {
   using Object = typename fields::MemberOf<decltype(member)>::Object;
   using Member = typename fields::MemberOf<decltype(member)>::Member;
-  Field made{.key = key, .kind = FieldKind::table, .about = about, .table = &table};
-  made.inside = [](void* object) -> void* {
-    Member& inside = static_cast<Object*>(object)->*member;
-    if constexpr (fields::is_optional<Member>)
-      return &inside.emplace();
-    else
-      return &inside;
+  using Holder = fields::Holder<Member>;
+  Field made{.key = key, .kind = FieldKind::table, .about = about};
+  made.tables = fields::kTables<tables...>;
+  made.inside = [](void* object, std::size_t table) {
+    return Holder::begin(static_cast<Object*>(object)->*member, table);
   };
-  made.look_inside = [](const void* object) -> const void* {
-    const Member& inside = static_cast<const Object*>(object)->*member;
-    if constexpr (fields::is_optional<Member>)
-      return inside ? &*inside : nullptr;
-    else
-      return &inside;
+  made.look_inside = [](const void* object, std::size_t table) {
+    return Holder::look(static_cast<const Object*>(object)->*member, table);
   };
+  if constexpr (Holder::kHasValue) {
+    made.kind = fields::kind_of<typename Holder::Value>();
+    made.get = [](const void* object) {
+      const Member& held = static_cast<const Object*>(object)->*member;
+      return held.index() == 0 ? fields::value_of(std::get<0>(held)) : FieldValue();
+    };
+    made.set = [](void* object, FieldValue&& value) {
+      Member& held = static_cast<Object*>(object)->*member;
+      fields::put_into(held.template emplace<0>(), std::move(value));
+    };
+  }
   return made;
-}
-
-/// A field that the language has, but nothing does anything with yet.
-constexpr Field not_built(std::string_view key, std::string_view text) {
-  return {.key = key, .about = {.text = text}, .built = false};
-}
-/// The same, where one value says what happens now.
-constexpr Field only(std::string_view key, double value, std::string_view text) {
-  return {.key = key, .about = {.text = text}, .built = false, .only_number = value};
-}
-constexpr Field only(std::string_view key, std::string_view word, std::string_view text) {
-  return {.key = key, .about = {.text = text}, .built = false, .only_word = word};
-}
-constexpr Field only(std::string_view key, const Vec3& v, std::string_view text) {
-  return {.key = key, .about = {.text = text}, .built = false, .only_vector = v};
 }
 
 /// The table of a type whose objects begin as T().

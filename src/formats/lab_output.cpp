@@ -17,9 +17,14 @@ Result<std::string> write_lab_input(const Scene& scene) {
       camera.window_up != Vec3{0, size, 0} || scene.resolution.width != scene.resolution.height)
     return refuse(
         "where this scene's window is: it knows squares in the plane z = 0 around the origin");
+  if (camera.kind != CameraKind::pinhole)
+    return refuse("what this scene's camera is: it knows pinholes alone");
   if (scene.lights.size() != 1 || scene.lights[0].color != Color{1, 1, 1})
     return refuse("these lights: it knows one white light");
-  if (scene.background != Color{} || scene.ambient_light != Color{0.5, 0.5, 0.5})
+  if (scene.lights[0].kind != LightKind::point)
+    return refuse("this light: it knows those that shine from a point into all directions");
+  if (scene.sky.kind != Sky::Kind::flat || scene.background != Color{} ||
+      scene.ambient_light != Color{0.5, 0.5, 0.5})
     return refuse("another background than black or another ambient light than 0.5");
   if (scene.shape_count() != scene.spheres.size()) return refuse("other shapes than spheres");
 
@@ -57,8 +62,10 @@ Result<WrittenScene> write_lab_scene(const Scene& scene) {
   if (!text) return tl::make_unexpected(text.error());
   Losses losses;
   losses.defaults(scene, {.profile = ProfileName::lab});
+  losses.light(scene.lights[0]);
+  losses.surroundings(scene);
   for (const Object<Sphere>& sphere : scene.spheres)
-    losses.textures(scene.materials[sphere.material]);
+    losses.material(scene.materials[sphere.material]);
   return WrittenScene{*text, losses.diagnostics("input.txt")};
 }
 

@@ -17,8 +17,12 @@ class Losses {
   void count(std::string_view what, std::uint64_t times);
   /// Where a scene of the format is rendered with other defaults than this one.
   void defaults(const Scene& scene, const RenderDefaults& of_format);
-  /// What textures give to a material that shapes have.
-  void textures(const Material& material);
+  /// What a material has, that shapes have, beyond Phong's coefficients.
+  void material(const Material& material);
+  /// What lights have beyond a place and a colour.
+  void light(const Light& light);
+  /// The lens, the sky and the shade of corners.
+  void surroundings(const Scene& scene);
   /// A warning for each kind of loss.
   Diagnostics diagnostics(std::string_view format) const;
 

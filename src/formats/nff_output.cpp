@@ -54,6 +54,12 @@ std::optional<std::string> view_of(const Scene& scene) {
                      scene.resolution.width, scene.resolution.height);
 }
 
+Vec3 middle_of(const Light& light) {
+  const Vec3 &p = light.position, &u = light.edge_u, &v = light.edge_v;
+  if (light.kind != LightKind::rectangle) return p;
+  return {p.x + (u.x + v.x) / 2, p.y + (u.y + v.y) / 2, p.z + (u.z + v.z) / 2};
+}
+
 class Writer {
  public:
   explicit Writer(const Scene& scene) : scene_(scene) {}
@@ -85,8 +91,8 @@ void Writer::write_material(std::uint32_t index) {
   losses_.count("materials: another ambient share than the diffuse one", m.ambient != c);
   losses_.count("materials: the highlight's colour", m.specular != Color{ks, ks, ks});
   losses_.count("materials: another share of the reflected ray than of the highlight",
-                !(m.reflection == ks));
-  losses_.textures(m);
+                m.reflection.r != ks);
+  losses_.material(m);
   put(fmt::format("f {} 1 {} {} {} {}\n", words(c), ks, m.shininess, m.refraction.r, m.ior));
 }
 
@@ -116,14 +122,20 @@ void Writer::write_all(const std::vector<Object<Shape>>& objects) {
 }
 
 Result<WrittenScene> Writer::write() {
+  if (scene_.camera.kind != CameraKind::pinhole)
+    return failure("", "NFF cannot say what this scene's camera is: it knows pinholes alone");
   const std::optional<std::string> view = view_of(scene_);
   if (!view)
     return failure("",
                    "NFF cannot say where this scene's window is: it knows those that the eye "
                    "looks at straight");
   put(fmt::format("b {}\n{}", words(scene_.background), *view));
-  for (const Light& light : scene_.lights)
-    put(fmt::format("l {} {}\n", words(light.position), words(light.color)));
+  for (const Light& light : scene_.lights) {
+    losses_.light(light);
+    if (light.kind == LightKind::directional) continue;
+    put(fmt::format("l {} {}\n", words(middle_of(light)), words(light.color)));
+  }
+  losses_.surroundings(scene_);
   const auto n = static_cast<double>(std::max<std::size_t>(1, scene_.lights.size()));
   const double ambient = std::sqrt(n) / (2 * n);
   losses_.count("the ambient light, which NFF's rule gives",

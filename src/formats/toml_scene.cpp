@@ -57,9 +57,7 @@ Result<ReadScene> parse_toml(std::string_view text, const std::string& name,
   for (const Section* section : language::kSections) {
     known.push_back(section->key);
     const toml::Node* const node = document.root.find(section->key);
-    if (node != nullptr && section->read == nullptr)
-      problems.error(node->key_begin, fmt::format("{} is not built yet", header_of(*section)));
-    else if (node != nullptr)
+    if (node != nullptr)
       read_section(*section, *node, input);
     else if (section->form == Section::Form::one)
       section->read(none, input);

@@ -12,13 +12,6 @@ std::string_view unit_of(const Field& field) {
 }
 
 std::string state_of(const Field& field, const Table& table) {
-  if (!field.built) {
-    if (field.only_number) return fmt::format("only {} is built yet", text_of(*field.only_number));
-    if (field.only_vector) return fmt::format("only {} is built yet", text_of(*field.only_vector));
-    if (!field.only_word.empty())
-      return fmt::format("only {} is built yet", in_quotes(field.only_word));
-    return "not built yet";
-  }
   if (field.about.required) return "required";
   if (field.get == nullptr) return "";
   const std::string value = text_of(field, field.get(table.defaults()));
@@ -31,9 +24,8 @@ FieldFacts facts_of(const Field& field, const Table& table) {
   const About& about = field.about;
   FieldFacts facts{std::string(field.key), std::string(about.text), "", state_of(field, table)};
   if (!about.symbol.empty()) facts.meaning += fmt::format(" ({})", about.symbol);
-  if (!field.built) return facts;
+  if (!about.also.empty()) facts.meaning += fmt::format(" (also `{}`)", about.also);
   facts.value = fmt::format("{}{}", expected_of(field), unit_of(field));
-  if (!about.later.empty()) facts.value += fmt::format("; {} is not built yet", about.later);
   return facts;
 }
 
@@ -70,10 +62,13 @@ std::string header_of(const Section& section) {
 
 namespace {
 
+/// A shape before a light of the same keyword.
 const Topic* find_kind(std::string_view word, const std::vector<Topic>& all) {
+  const Topic* found = nullptr;
   for (const Topic& topic : all)
-    if (topic.kind != nullptr && topic.kind->name == word) return &topic;
-  return nullptr;
+    if (topic.kind != nullptr && topic.kind->name == word && (!found || topic.is_called(word)))
+      found = &topic;
+  return found;
 }
 
 /// "'fov_deg' below [camera]" where a section of which there is one has such a field.
@@ -85,7 +80,7 @@ std::string place_of_field(std::string_view word, const std::vector<Topic>& all,
     if (topic.section->form != Section::Form::one) continue;
     for (const Table* table : tables_of(topic))
       for (const Field& field : table->fields)
-        if (field.built) keys.push_back(field.key), sections.push_back(topic.section);
+        keys.push_back(field.key), sections.push_back(topic.section);
   }
   const std::string hint = problems.hint_at(word, keys, "");
   for (std::size_t i = 0; i < keys.size(); ++i)

@@ -24,6 +24,11 @@ struct Topic {
   std::string_view keyword;
   const Section* section;
   const Kind* kind = nullptr;  ///< nullptr: the section itself
+
+  /// Whether that is what it is called in full: a disc is a shape, the other one a disc light.
+  bool is_called(std::string_view word) const {
+    return word == (kind != nullptr ? kind->table.name : section->key);
+  }
 };
 std::vector<Topic> topics();
 

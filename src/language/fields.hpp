@@ -18,6 +18,9 @@ struct Input;
 /// What a field's value has to be: "a number greater than 0".
 std::string expected_of(const Field& field);
 
+/// One of the tables that a field may be: {grid = …}.
+std::string form_of(const Field& field, const Table& table);
+
 /// An object, and the table of its type.
 struct Part {
   const Table* table;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "language/facts.hpp"
+#include "materials/glasses.hpp"
 
 namespace zraka::language {
 namespace {
@@ -38,9 +39,8 @@ constexpr std::size_t kLine = 96;
 void add_choices(const Field& field, std::size_t indent, std::string& out) {
   for (const Choice& choice : field.about.choices)
     out += std::string(indent, ' ') +
-           wrapped(fmt::format("{}: {}{}", in_quotes(choice.name), choice.text,
-                               choice.built ? "" : "; not built yet"),
-                   kLine - indent, indent + 2) +
+           wrapped(fmt::format("{}: {}", in_quotes(choice.name), choice.text), kLine - indent,
+                   indent + 2) +
            "\n";
 }
 
@@ -56,8 +56,22 @@ void add_fields(const Table& table, std::size_t indent, std::string& out) {
     out += fmt::format("{}{:<{}}  {}\n", std::string(indent, ' '), facts.key, widest,
                        wrapped(words, kLine - column, column));
     add_choices(field, column, out);
-    if (field.table != nullptr) add_fields(*field.table, column, out);
+    for (const Table* inner : field.tables) {
+      if (field.tables.size() > 1)
+        out += std::string(column, ' ') +
+               wrapped(fmt::format("{}: {}", form_of(field, *inner), inner->text), kLine - column,
+                       column + 2) +
+               "\n";
+      add_fields(*inner, column + (field.tables.size() > 1 ? 2 : 0), out);
+    }
   }
+}
+
+void add_names(std::string_view title, const std::vector<std::string_view>& names,
+               std::string& out) {
+  if (!names.empty())
+    out +=
+        "  " + wrapped(fmt::format("{}: {}", title, fmt::join(names, ", ")), kLine - 2, 4) + "\n";
 }
 
 std::string help_on(const Topic& topic) {
@@ -65,8 +79,6 @@ std::string help_on(const Topic& topic) {
   std::string out = topic.kind != nullptr
                         ? fmt::format("{}: {}\n\n", topic.kind->table.name, topic.kind->table.text)
                         : fmt::format("{}: {}\n\n", section.key, wrapped(section.text, kLine, 0));
-  if (section.read == nullptr)
-    return out + fmt::format("  {} is not built yet\n", header_of(section));
   const std::string opening = opening_of(topic);
   for (std::size_t begin = 0; begin < opening.size();) {
     const std::size_t end = opening.find('\n', begin) + 1;
@@ -74,16 +86,16 @@ std::string help_on(const Topic& topic) {
     begin = end;
   }
   for (const Table* table : tables_of(topic)) add_fields(*table, 2, out);
-  if (topic.kind == nullptr && section.family != nullptr) {
-    const auto list = [&](std::string_view title, const auto& names) {
-      const std::string line = fmt::format("{}: {}", title, fmt::join(names, ", "));
-      if (!names.empty()) out += "  " + wrapped(line, kLine - 2, 4) + "\n";
-    };
-    std::vector<std::string_view> kinds;
-    for (const Kind* kind : section.family->kinds) kinds.push_back(kind->name);
-    list("kinds", kinds);
-    list("not built yet", section.family->not_built);
-  }
+  std::vector<std::string_view> names;
+  if (topic.kind == nullptr && section.family != nullptr)
+    for (const Kind* kind : section.family->kinds) names.push_back(kind->name);
+  add_names("kinds", names, out);
+  names.clear();
+  for (const Table* table : tables_of(topic))
+    for (const Field& field : table->fields)
+      if (field.about.unit == Unit::name_of_glass)
+        for (const Glass& glass : glasses()) names.push_back(glass.name);
+  add_names("glasses", names, out);
   return out;
 }
 
@@ -102,11 +114,13 @@ std::string keywords_in_lines(std::string_view title) {
 
 std::optional<std::string> help_on(std::string_view keyword) {
   std::string out;
-  for (const Topic& topic : topics())
-    if (topic.keyword == keyword ||
-        (topic.kind != nullptr ? std::string(topic.kind->table.name)
-                               : fmt::format("{} section", topic.keyword)) == keyword)
-      out += (out.empty() ? "" : "\n") + help_on(topic);
+  const std::vector<Topic> all = topics();
+  for (const bool called : {true, false})
+    for (const Topic& topic : all)
+      if (topic.is_called(keyword) == called &&
+          (called || topic.keyword == keyword ||
+           (topic.kind == nullptr && fmt::format("{} section", topic.keyword) == keyword)))
+        out += (out.empty() ? "" : "\n") + help_on(topic);
   return out.empty() ? std::nullopt : std::optional(out);
 }
 

@@ -4,6 +4,8 @@
 
 #include "language/facts.hpp"
 #include "language/help.hpp"
+#include "materials/dispersion.hpp"
+#include "materials/glasses.hpp"
 
 namespace zraka::language {
 namespace {
@@ -24,15 +26,18 @@ void add_table(const Table& table, std::string& out) {
     const FieldFacts facts = facts_of(field, table);
     std::string meaning = facts.meaning;
     for (const Choice& choice : field.about.choices)
-      meaning += fmt::format("; `{}`: {}{}", in_quotes(choice.name), choice.text,
-                             choice.built ? "" : " (not built yet)");
+      meaning += fmt::format("; `{}`: {}", in_quotes(choice.name), choice.text);
     out += fmt::format("| `{}` | {} | {} | {} |\n", facts.key, cell(meaning), cell(facts.value),
                        cell(facts.state));
   }
   for (const Field& field : table.fields)
-    if (field.table != nullptr) {
-      out += fmt::format("\n`{}`: {}\n\n", field.key, field.table->text);
-      add_table(*field.table, out);
+    for (const Table* inner : field.tables) {
+      const std::string which =
+          field.about.by_kind       ? fmt::format(" of kind `{}`", in_quotes(inner->name))
+          : field.tables.size() > 1 ? fmt::format(" as `{}`", form_of(field, *inner))
+                                    : "";
+      out += fmt::format("\n`{}`{}: {}\n\n", field.key, which, inner->text);
+      add_table(*inner, out);
     }
 }
 
@@ -53,8 +58,24 @@ void add_family(const Section& section, std::string& out) {
     add_table(kind->table, out);
     out += "\n";
   }
-  if (!family.not_built.empty())
-    out += fmt::format("Not built yet: {}.\n\n", fmt::join(family.not_built, ", "));
+}
+
+std::string glasses_page() {
+  std::string out =
+      "# Glasses, crystals, plastics and liquids\n"
+      "What `glass = \"…\"` of a material can be, in any case. It sets `ior`, the index at the "
+      "line d (587.56 nm), and\n"
+      "`dispersion`. V is Abbe's number, (n_d - 1)/(n_F - n_C). This page is made by\n"
+      "`zraka help --pages docs/scene-language`.\n\n"
+      "| Name | n_d | V | Formula | Coefficients (λ in µm) | Source |\n|---|---|---|---|---|---|\n";
+  for (const Glass& glass : glasses()) {
+    const bool cauchy = glass.dispersion.kind == Dispersion::Kind::cauchy;
+    out += fmt::format("| {} | {:.5f} | {:.2f} | {} | {} | {} |\n", glass.name, glass.ior(),
+                       abbe_number(glass.dispersion, 1), cauchy ? "Cauchy" : "Sellmeier",
+                       fmt::join(std::span(glass.dispersion.numbers).first(cauchy ? 3 : 6), ", "),
+                       glass.source);
+  }
+  return out;
 }
 
 }  // namespace
@@ -67,15 +88,13 @@ std::vector<Page> pages() {
       "reader uses.\n\n";
   for (const Section* section : kSections) {
     out += fmt::format("## {}\n{}\n\n", header_of(*section), section->text);
-    if (section->read == nullptr)
-      out += "Not built yet.\n\n";
-    else if (section->family != nullptr)
+    if (section->family != nullptr)
       add_family(*section, out);
     else
       add_table(*section->table, out), out += "\n";
   }
   out.pop_back();
-  return {{"reference.md", out}};
+  return {{"reference.md", out}, {"glasses.md", glasses_page()}};
 }
 
 }  // namespace zraka::language

@@ -19,13 +19,8 @@ FieldValue read_choice(const toml::Node& node, const Field& field, std::string_v
   std::vector<std::string_view> names;
   for (std::size_t i = 0; i < field.about.choices.size(); ++i) {
     const Choice& choice = field.about.choices[i];
-    if (node.kind == Kind::text && choice.name == node.text) {
-      if (choice.built) return Chosen{static_cast<int>(i)};
-      problems.error(node.begin,
-                     fmt::format("{} \"{}\" of {} is not built yet", field.key, choice.name, what));
-      return {};
-    }
-    if (choice.built) names.push_back(choice.name);
+    if (node.kind == Kind::text && choice.name == node.text) return Chosen{static_cast<int>(i)};
+    names.push_back(choice.name);
   }
   const std::string message = fmt::format("{} of {} is {}: expected {}", field.key, what,
                                           shown(problems.source(node)), expected_of(field));
@@ -34,35 +29,6 @@ FieldValue read_choice(const toml::Node& node, const Field& field, std::string_v
   else
     problems.error(node.begin, message);
   return {};
-}
-
-/// Names and tables where numbers are built: what the language names for this field besides.
-bool is_later(const toml::Node& node, const Field& field) {
-  if (field.about.later.empty()) return false;
-  if (field.kind == FieldKind::color)
-    return node.kind == Kind::table || (node.kind == Kind::text && !node.text.starts_with('#'));
-  return node.kind == Kind::table || node.kind == Kind::text || node.kind == Kind::array;
-}
-
-void refuse_not_built(const toml::Node& node, const Field& field, std::string_view what,
-                      Problems& problems) {
-  const double only = field.only_number.value_or(0);
-  if (field.only_number && value_as(FieldKind::color, node) == FieldValue(Color{only, only, only}))
-    return;
-  if (!field.only_word.empty() && node.kind == Kind::text && node.text == field.only_word) return;
-  if (field.only_vector && value_as(FieldKind::vector, node) == FieldValue(*field.only_vector))
-    return;
-  if (field.only_number)
-    problems.error(node.begin, fmt::format("{} of {} other than {} is not built yet", field.key,
-                                           what, *field.only_number));
-  else if (!field.only_word.empty())
-    problems.error(node.begin, fmt::format("{} of {} other than \"{}\" is not built yet", field.key,
-                                           what, field.only_word));
-  else if (field.only_vector)
-    problems.error(node.begin, fmt::format("{} of {} other than {} is not built yet", field.key,
-                                           what, text_of(*field.only_vector)));
-  else
-    problems.error(node.key_begin, fmt::format("{} of {} is not built yet", field.key, what));
 }
 
 void refuse(const toml::Node& node, const Field& field, std::string_view what, Problems& problems) {
@@ -102,27 +68,95 @@ FieldValue read_value(const toml::Node& node, const Field& field, std::string_vi
     const std::optional<std::uint32_t> texture = read_texture(node, field, what, input);
     return texture ? FieldValue(TextureIndex{*texture}) : FieldValue();
   }
-  if (is_later(node, field))
-    problems.error(node.begin, fmt::format("{} for {} of {} is not built yet", field.about.later,
-                                           field.key, what));
-  else
-    refuse(node, field, what, problems);
+  refuse(node, field, what, problems);
   return {};
+}
+
+/// Which of a field's tables this is, by its kind; none, and the problem told, if it is none.
+std::optional<std::size_t> table_by_kind(const toml::Node& node, const Field& field,
+                                         std::string_view what, Problems& problems) {
+  std::vector<std::string_view> names;
+  for (const Table* table : field.tables) names.push_back(table->name);
+  const std::string plural = fmt::format("kinds of {}", field.key);
+  const toml::Node* const kind = node.find("kind");
+  if (kind == nullptr) {
+    problems.missing(node.begin, fmt::format("{} of {} has no kind", field.key, what),
+                     fmt::format("{}: {}", plural, fmt::join(names, ", ")));
+    return std::nullopt;
+  }
+  if (kind->kind == Kind::text)
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] == kind->text) return i;
+  if (kind->kind == Kind::text)
+    problems.unknown(
+        kind->begin,
+        fmt::format("unknown kind '{}' for {} of {}", shown(kind->text), field.key, what),
+        kind->text, names, plural);
+  else
+    problems.error(kind->begin, fmt::format("kind of {} of {} is {}: expected a text in quotes",
+                                            field.key, what, shown(problems.source(*kind))));
+  return std::nullopt;
+}
+
+/// The same by the first keys of the tables, of which one has to be there.
+std::optional<std::size_t> table_by_key(const toml::Node& node, const Field& field,
+                                        std::string_view what, Problems& problems) {
+  std::optional<std::size_t> found;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < field.tables.size(); ++i)
+    if (node.find(field.tables[i]->fields.front().key) != nullptr) found = i, ++count;
+  if (count == 1) return found;
+  std::vector<std::string_view> known;
+  for (const Table* table : field.tables)
+    for (const Field& inner : table->fields) known.push_back(inner.key);
+  if (count == 0 && !node.children.empty()) {
+    const toml::Node& first = node.children.front();
+    if (std::find(known.begin(), known.end(), first.key) == known.end()) {
+      problems.unknown(
+          first.key_begin,
+          fmt::format("unknown field '{}' for {} of {}", shown(first.key), field.key, what),
+          first.key, known, fmt::format("fields of {}", field.key));
+      return std::nullopt;
+    }
+  }
+  refuse(node, field, what, problems);
+  return std::nullopt;
+}
+
+void read_table(const toml::Node& node, const Field& field, std::string_view what, void* object,
+                Input& input) {
+  std::optional<std::size_t> which = 0;
+  if (field.about.by_kind)
+    which = table_by_kind(node, field, what, input.problems);
+  else if (field.tables.size() > 1 || field.kind != FieldKind::table)
+    which = table_by_key(node, field, what, input.problems);
+  if (!which) return;
+  const Part part{field.tables[*which], field.inside(object, *which)};
+  read_fields(node, fmt::format("{} of {}", field.key, what), {&part, 1}, input,
+              field.about.by_kind ? "kind" : "");
 }
 
 void read_field(const toml::Node& node, const Field& field, std::string_view what, void* object,
                 Input& input) {
   Problems& problems = input.problems;
-  if (!field.built) return refuse_not_built(node, field, what, problems);
   if (field.kind == FieldKind::shapes) return check_shapes(node, field, what, problems);
-  if (field.kind == FieldKind::table) {
-    if (node.kind == Kind::table)
-      return read_fields(node, *field.table, fmt::format("{} of {}", field.key, what),
-                         field.inside(object), input);
-    return refuse(node, field, what, problems);
-  }
+  if (!field.tables.empty() && node.kind == Kind::table)
+    return read_table(node, field, what, object, input);
+  if (field.kind == FieldKind::table) return refuse(node, field, what, problems);
   FieldValue value = read_value(node, field, what, input);
   if (value.index() != 0) field.set(object, std::move(value));
+}
+
+/// The node of a field, whichever of its keys it has; a problem if it has both.
+const toml::Node* find_field(const toml::Node& node, const Field& field, std::string_view what,
+                             Problems& problems) {
+  const toml::Node* const child = node.find(field.key);
+  if (field.about.also.empty()) return child;
+  const toml::Node* const other = node.find(field.about.also);
+  if (child != nullptr && other != nullptr)
+    problems.error(other->key_begin, fmt::format("{} has {} and {}: expected one of them", what,
+                                                 field.key, field.about.also));
+  return child != nullptr ? child : other;
 }
 
 /// The field that the lab's sheet calls so, "" if none is.
@@ -141,11 +175,11 @@ void read_fields(const toml::Node& node, std::string_view what, std::span<const 
   std::size_t read = 0;
   for (const Part& part : parts)
     for (const Field& field : part.table->fields) {
-      const toml::Node* const child = node.find(field.key);
+      const toml::Node* const child = find_field(node, field, what, problems);
       read += child != nullptr;
       if (child != nullptr)
         read_field(*child, field, what, part.object, input);
-      else if (field.about.required && field.built)
+      else if (field.about.required)
         problems.missing(node.begin, fmt::format("{} has no {}: expected {}, {}", what, field.key,
                                                  field.about.text, expected_of(field)));
     }
@@ -155,7 +189,9 @@ void read_fields(const toml::Node& node, std::string_view what, std::span<const 
   std::vector<std::string_view> known;
   if (!also.empty()) known.push_back(also);
   for (const Part& part : parts)
-    for (const Field& field : part.table->fields) known.push_back(field.key);
+    for (const Field& field : part.table->fields)
+      for (const std::string_view key : {field.key, field.about.also})
+        if (!key.empty()) known.push_back(key);
   for (const toml::Node& child : node.children) {
     if (std::find(known.begin(), known.end(), child.key) != known.end()) continue;
     const std::string message = fmt::format("unknown field '{}' of {}", shown(child.key), what);

@@ -54,7 +54,8 @@ Json array_of(Json items, std::size_t fewest, std::size_t most) {
 
 Json vector_of(const About& about) {
   Json json = array_of(number_of(about.range, "number"), 3, 3);
-  if (about.unit == Unit::direction) json["not"] = {{"const", {0, 0, 0}}};
+  if (about.unit == Unit::direction || about.unit == Unit::attenuation)
+    json["not"] = {{"const", {0, 0, 0}}};
   return json;
 }
 
@@ -115,27 +116,20 @@ Json transform_schema() {
 
 Json choice_of(const About& about) {
   Json names = Json::array();
-  for (const Choice& choice : about.choices)
-    if (choice.built) names.push_back(choice.name);
+  for (const Choice& choice : about.choices) names.push_back(choice.name);
   return {{"enum", names}};
 }
 
-/// The one value that a field which is not built may have; null if there is none.
-Json only_value(const Field& field) {
-  const auto one = [](Json value) {
-    Json values = Json::array();
-    values.push_back(std::move(value));
-    return values;
-  };
-  if (!field.only_word.empty()) return {{"enum", one(field.only_word)}};
-  if (field.only_vector) return {{"enum", one(JsonOf{field}(*field.only_vector))}};
-  if (!field.only_number) return {};
-  Json values = one(*field.only_number);
-  values.push_back(Json::array({*field.only_number, *field.only_number, *field.only_number}));
-  return {{"enum", values}};
-}
+Json object_of(const std::vector<const Table*>& tables, std::string_view kind = "",
+               bool kind_needed = false);
 
-Json object_of(const std::vector<const Table*>& tables, const Kind* kind, bool kind_needed);
+/// Of a field that has two keys.
+Json one_key_of(const Field& field) {
+  Json keys = Json::array();
+  for (const std::string_view key : {field.key, field.about.also})
+    keys.push_back({{"required", Json::array({key})}});
+  return {{"oneOf", keys}};
+}
 
 Json plain_value_of(const Field& field) {
   const About& about = field.about;
@@ -172,54 +166,67 @@ Json plain_value_of(const Field& field) {
       return array_of(defined(about.closed ? "body" : "shape"), about.fewest, about.most);
     case FieldKind::choice:
       return choice_of(about);
+    case FieldKind::integers:
+      return array_of(number_of(about.range, "integer"), about.fewest, about.most);
     case FieldKind::table:
-      return object_of({field.table}, nullptr, false);
+      break;
   }
   return {};
 }
 
 Json value_of(const Field& field) {
-  if (!field.built) return only_value(field);
-  Json value = plain_value_of(field);
-  return field.about.textured ? or_texture(std::move(value)) : value;
+  const Json value = plain_value_of(field);
+  if (field.about.textured) return or_texture(value);
+  if (field.tables.empty()) return value;
+  Json any = Json::array();
+  if (!value.is_null()) any.push_back(value);
+  for (const Table* table : field.tables)
+    any.push_back(object_of({table}, field.about.by_kind ? table->name : "", field.about.by_kind));
+  return {{"anyOf", any}};
 }
 
 Json schema_of(const Field& field, const Table& table) {
   Json json = value_of(field);
-  if (json.is_null()) return json;
   json["description"] = field.about.text;
-  if (!field.built || field.about.required || field.get == nullptr) return json;
+  if (field.about.required || field.get == nullptr) return json;
   Json value = std::visit(JsonOf{field}, field.get(table.defaults()));
   if (!value.is_null()) json["default"] = std::move(value);
   return json;
 }
 
-Json object_of(const std::vector<const Table*>& tables, const Kind* kind, bool kind_needed) {
-  Json properties = Json::object(), required = Json::array();
-  if (kind != nullptr) properties["kind"] = {{"const", kind->name}};
+Json object_of(const std::vector<const Table*>& tables, std::string_view kind, bool kind_needed) {
+  Json properties = Json::object(), required = Json::array(), either = Json::array();
+  bool has_two_keys = false;
+  if (!kind.empty()) properties["kind"] = {{"const", kind}};
   if (kind_needed) required.push_back("kind");
   for (const Table* table : tables)
     for (const Field& field : table->fields) {
-      Json json = schema_of(field, *table);
-      if (!json.is_null()) properties[field.key] = std::move(json);
-      if (field.built && field.about.required) required.push_back(field.key);
+      const Json json = schema_of(field, *table);
+      properties[field.key] = json;
+      if (!field.about.also.empty()) {
+        properties[field.about.also] = json;
+        if (field.about.required) either.push_back(one_key_of(field)), has_two_keys = true;
+      } else if (field.about.required) {
+        required.push_back(field.key);
+      }
     }
   Json json = {{"type", "object"}};
   json["description"] = tables.front()->text;
   json["properties"] = std::move(properties);
   json["required"] = std::move(required);
+  if (has_two_keys) json["allOf"] = std::move(either);
   json["additionalProperties"] = false;
   return json;
 }
 
 Json item_of(const Section& section, bool closed = false) {
-  if (section.family == nullptr) return object_of({section.table}, nullptr, false);
+  if (section.family == nullptr) return object_of({section.table});
   const Family& family = *section.family;
   Json kinds = Json::array();
   for (const Kind* kind : family.kinds)
     if (kind->closed || !closed)
       kinds.push_back(
-          object_of({&kind->table, &family.common}, kind, kind->name != family.default_kind));
+          object_of({&kind->table, &family.common}, kind->name, kind->name != family.default_kind));
   return {{"anyOf", kinds}};
 }
 
@@ -242,8 +249,7 @@ Json schema_of(const Section& section) {
 
 std::string json_schema() {
   Json properties = Json::object();
-  for (const Section* section : kSections)
-    if (section->read != nullptr) properties[section->key] = schema_of(*section);
+  for (const Section* section : kSections) properties[section->key] = schema_of(*section);
   const Json json = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                      {"title", "A scene of zraka"},
                      {"type", "object"},

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/text.hpp"
 
 namespace zraka::language {
@@ -38,11 +36,6 @@ const Kind* kind_of_node(const toml::Node& node, const Family& family, Problems&
   }
   for (const Kind* each : family.kinds)
     if (each->name == name) return each;
-  if (std::find(family.not_built.begin(), family.not_built.end(), name) != family.not_built.end()) {
-    problems.error(kind->begin,
-                   fmt::format("{} of kind \"{}\" is not built yet", family.name, name));
-    return nullptr;
-  }
   problems.unknown(kind->begin, fmt::format("unknown kind '{}' of {}", shown(name), family.name),
                    name, known(), fmt::format("kinds of {}", family.name));
   return nullptr;

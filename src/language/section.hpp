@@ -45,7 +45,8 @@ struct Input {
   /// Textures of pictures that do not say how light became numbers, and the nodes of their files.
   std::map<std::uint32_t, const toml::Node*> open_transfers{};
   std::vector<GroupUse> group_uses{};
-  /// Groups by the path of their mesh, and whether that is smooth: 1 no, 2 yes, 0 as the file has it.
+  /// Groups by the path of their mesh, and whether that is smooth: 1 no, 2 yes, 0 as the file has
+  /// it.
   std::map<std::pair<std::string, int>, std::uint32_t> meshes{};
 };
 
@@ -82,9 +83,8 @@ struct Family {
   std::string_view name;          ///< "shape"
   std::string_view default_kind;  ///< "": it has to be said
   std::span<const Kind* const> kinds;
-  std::span<const std::string_view> not_built;  ///< kinds of the language that are not built yet
-  Table common{};                               ///< fields that all of them have
-  void (*prepare)(Item& item) = nullptr;        ///< once the common fields have been read
+  Table common{};                         ///< fields that all of them have
+  void (*prepare)(Item& item) = nullptr;  ///< once the common fields have been read
 };
 
 /// A kind that is read into an Entry, which put() takes into the scene if all of it is right.
@@ -119,7 +119,7 @@ struct Section {
   const Table* table = nullptr;    ///< of what has no kinds
   const Family* family = nullptr;  ///< of what has
   /// Once for each table of the section, in the order of the file; of a single one that is not
-  /// there, with an empty one. nullptr: not built yet.
+  /// there, with an empty one.
   void (*read)(const toml::Node& node, Input& input) = nullptr;
   void (*write)(Output& output) = nullptr;
   /// Before anything is read, with all of the section; and when all of the file has been read.

@@ -9,9 +9,9 @@
   X(image)                \
   X(camera)               \
   X(render)               \
+  X(texture)              \
   X(scene)                \
   X(light)                \
-  X(texture)              \
   X(material)             \
   X(group)                \
   X(shape)

@@ -93,8 +93,7 @@ void add_primitive(Item& item, std::vector<Object<Primitive>> ShapeLists::*list,
                    const Primitive& primitive, const std::optional<Transform>& of_textures) {
   CommonEntry& common = common_of(item);
   const Primitive moved = common.transform ? baked(primitive, *common.transform) : primitive;
-  if (const std::string problem = problem_of(moved); !problem.empty())
-    return refuse(item, problem);
+  if (const std::string problem = problem_of(moved); !problem.empty()) return refuse(item, problem);
   Transform with_textures = transform_of(item);
   if (of_textures)
     with_textures = common.transform ? then(*of_textures, with_textures) : *of_textures;
@@ -111,7 +110,6 @@ constexpr Family kShapeFamily = {
     .name = "shape",
     .default_kind = "",
     .kinds = kKinds,
-    .not_built = {},
     .common = table_of<CommonEntry>("shape", "What every shape has.", kCommonFields),
     .prepare = prepare};
 

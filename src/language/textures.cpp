@@ -37,7 +37,7 @@ void tell_unknown(const toml::Node& node, const Field& field, std::string_view w
 
 }  // namespace
 
-constexpr Family kTextureFamily = {"texture", "", kKinds, {}};
+constexpr Family kTextureFamily = {"texture", "", kKinds};
 
 std::uint32_t add_texture(const toml::Node& node, Input& input) {
   TextureEntry entry;
@@ -56,6 +56,7 @@ void make_normal_maps_linear(Input& input) {
     for (const TextureUse& use : material.textures) colors.insert(use.texture);
     if (material.normals.kind == NormalUse::Kind::bump) colors.insert(material.normals.texture);
   }
+  if (scene.sky.kind == Sky::Kind::image) colors.insert(scene.sky.texture);
   std::map<std::uint32_t, std::uint32_t> linear;  // by the texture as it was read
   for (Material& material : scene.materials) {
     std::uint32_t& index = material.normals.texture;

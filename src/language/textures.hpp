@@ -77,8 +77,8 @@ inline constexpr Choice kWraps[] = {
 };
 
 constexpr Field colors(std::string_view text, std::size_t most = About{}.most) {
-  return field<&Texture::colors>(
-      "colors", {.text = text, .range = at_least(0), .fewest = 2, .most = most});
+  return field<&Texture::colors>("colors",
+                                 {.text = text, .range = at_least(0), .fewest = 2, .most = most});
 }
 constexpr Field size(std::string_view text) {
   return field<&Texture::size>("size",

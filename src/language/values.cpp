@@ -18,6 +18,9 @@ using Kind = toml::Node::Kind;
 std::string range_of(const Range& range, bool one) {
   const bool low = std::isfinite(range.least), high = std::isfinite(range.most);
   const std::string each = one ? "" : "each ";
+  if (low && high && range.above != range.below)
+    return fmt::format(" {}{} {} and {} {}", each, range.above ? "greater than" : "of at least",
+                       range.least, range.below ? "less than" : "at most", range.most);
   if (low && high)
     return fmt::format(" {}{} {} {} {}", each, range.above ? "between" : "from", range.least,
                        range.above ? "and" : "to", range.most);
@@ -33,7 +36,7 @@ bool in_range(double v, const Range& range) {
 
 bool in_range(const Vec3& v, const About& about) {
   return in_range(v.x, about.range) && in_range(v.y, about.range) && in_range(v.z, about.range) &&
-         !(about.unit == Unit::direction && v == Vec3{});
+         !((about.unit == Unit::direction || about.unit == Unit::attenuation) && v == Vec3{});
 }
 
 bool is_number(const toml::Node& node) {
@@ -75,6 +78,10 @@ FieldValue number_of(const toml::Node& node) {
   return is_number(node) ? FieldValue(node.number) : FieldValue();
 }
 
+FieldValue integer_of(const toml::Node& node) {
+  return node.kind == Kind::integer ? FieldValue(node.integer) : FieldValue();
+}
+
 FieldValue uvs_of(const toml::Node& node) {
   CornerUvs uvs{};
   if (node.kind != Kind::array || node.children.size() != uvs.size()) return {};
@@ -112,6 +119,10 @@ struct Judge {
     return numbers.size() >= about.fewest && numbers.size() <= about.most &&
            std::all_of(numbers.begin(), numbers.end(), *this);
   }
+  bool operator()(const Integers& numbers) const {
+    return numbers.size() >= about.fewest && numbers.size() <= about.most &&
+           std::all_of(numbers.begin(), numbers.end(), *this);
+  }
   bool operator()(const CornerUvs& uvs) const {
     return std::all_of(uvs.begin(), uvs.end(), [](const std::array<float, 2>& uv) {
       return std::isfinite(uv[0]) && std::isfinite(uv[1]);
@@ -133,7 +144,7 @@ FieldValue value_as(FieldKind kind, const toml::Node& node) {
     case FieldKind::number:
       return number_of(node);
     case FieldKind::integer:
-      return node.kind == Kind::integer ? FieldValue(node.integer) : FieldValue();
+      return integer_of(node);
     case FieldKind::boolean:
       return node.kind == Kind::boolean ? FieldValue(node.truth) : FieldValue();
     case FieldKind::vector:
@@ -148,6 +159,8 @@ FieldValue value_as(FieldKind kind, const toml::Node& node) {
       return list_of<Color>(node, color_of);
     case FieldKind::numbers:
       return list_of<double>(node, number_of);
+    case FieldKind::integers:
+      return list_of<std::int64_t>(node, integer_of);
     case FieldKind::uvs:
       return uvs_of(node);
     case FieldKind::choice:
@@ -164,7 +177,23 @@ bool allowed(const Field& field, const FieldValue& value) {
   return std::visit(Judge{field.about}, value);
 }
 
-std::string expected_of(const Field& field) {
+std::string form_of(const Field& field, const Table& table) {
+  std::vector<std::string> keys;
+  if (field.about.by_kind) keys.push_back(fmt::format("kind = {}", in_quotes(table.name)));
+  for (const Field& inner : table.fields) keys.push_back(fmt::format("{} = …", inner.key));
+  return fmt::format("{{{}}}", fmt::join(keys, ", "));
+}
+
+namespace {
+
+/// "a, b or c"
+std::string one_of(std::vector<std::string> all) {
+  const std::string last = std::move(all.back());
+  all.pop_back();
+  return all.empty() ? last : fmt::format("{} or {}", fmt::join(all, ", "), last);
+}
+
+std::string expected_value_of(const Field& field) {
   const About& about = field.about;
   const std::string_view or_texture = about.textured ? ", or a texture" : "";
   switch (field.kind) {
@@ -175,6 +204,8 @@ std::string expected_of(const Field& field) {
     case FieldKind::boolean:
       return "true or false";
     case FieldKind::vector:
+      if (about.unit == Unit::attenuation)
+        return "[c, l, q]" + range_of(about.range, false) + ", not all 0";
       return about.unit == Unit::direction
                  ? "a direction [x, y, z], not all 0"
                  : "[x, y, z], finite numbers" + range_of(about.range, false);
@@ -187,6 +218,8 @@ std::string expected_of(const Field& field) {
           return "the name of a material, in quotes";
         case Unit::name_of_group:
           return "the name of a group, in quotes";
+        case Unit::name_of_glass:
+          return "the name of a glass or of another clear material, in quotes";
         case Unit::picture:
           return "the name of a picture's file, in quotes";
         case Unit::mesh:
@@ -201,6 +234,8 @@ std::string expected_of(const Field& field) {
              ", one number for grey, or \"#rrggbb\"";
     case FieldKind::numbers:
       return count_of(about) + " finite numbers in brackets" + range_of(about.range, false);
+    case FieldKind::integers:
+      return count_of(about) + " whole numbers in brackets" + range_of(about.range, false);
     case FieldKind::uvs:
       return "3 of [u, v] in brackets, finite numbers";
     case FieldKind::transform:
@@ -212,19 +247,24 @@ std::string expected_of(const Field& field) {
                          about.fewest > 0 ? fmt::format(", {} or more", about.fewest) : "");
     case FieldKind::choice: {
       std::vector<std::string> names;
-      for (const Choice& choice : about.choices)
-        if (choice.built) names.push_back(in_quotes(choice.name));
-      const std::string last = names.back();
-      names.pop_back();
-      return names.empty() ? last : fmt::format("{} or {}", fmt::join(names, ", "), last);
+      for (const Choice& choice : about.choices) names.push_back(in_quotes(choice.name));
+      return one_of(std::move(names));
     }
-    case FieldKind::table: {
-      std::vector<std::string_view> keys;
-      for (const Field& inner : field.table->fields) keys.push_back(inner.key);
-      return fmt::format("a table {{{} = …}}", fmt::join(keys, " = …, "));
-    }
+    case FieldKind::table:
+      break;
   }
   return "";
+}
+
+}  // namespace
+
+std::string expected_of(const Field& field) {
+  const std::string value = expected_value_of(field);
+  if (field.tables.empty()) return value;
+  std::vector<std::string> forms;
+  for (const Table* table : field.tables) forms.push_back(form_of(field, *table));
+  return fmt::format("{}{}a table {}", value, value.empty() ? "" : "; or ",
+                     one_of(std::move(forms)));
 }
 
 }  // namespace zraka::language

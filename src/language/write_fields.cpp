@@ -139,19 +139,32 @@ std::string text_of(const Field& field, const FieldValue& value) {
   return std::visit(Writer{field}, value);
 }
 
+namespace {
+
+/// Whether it is a field of tables, or holds one in the place of a value.
+bool write_inner(const Field& field, std::string_view what, const void* object,
+                 std::vector<std::string>& pairs, Text& out) {
+  for (std::size_t i = 0; i < field.tables.size(); ++i) {
+    const void* const inside = field.look_inside(object, i);
+    if (inside == nullptr) continue;
+    const Table& table = *field.tables[i];
+    std::vector<std::string> inner =
+        pairs_of(table, fmt::format("{} of {}", field.key, what), inside, out);
+    if (field.about.by_kind)
+      inner.insert(inner.begin(), fmt::format("kind = {}", in_quotes(table.name)));
+    pairs.push_back(fmt::format("{} = {{{}}}", field.key, fmt::join(inner, ", ")));
+    return true;
+  }
+  return field.kind == FieldKind::table;
+}
+
+}  // namespace
+
 std::vector<std::string> pairs_of(const Table& table, std::string_view what, const void* object,
                                   Text& out) {
   std::vector<std::string> pairs;
   for (const Field& field : table.fields) {
-    if (!field.built) continue;
-    if (field.kind == FieldKind::table) {
-      if (const void* const inside = field.look_inside(object))
-        pairs.push_back(fmt::format(
-            "{} = {{{}}}", field.key,
-            fmt::join(pairs_of(*field.table, fmt::format("{} of {}", field.key, what), inside, out),
-                      ", ")));
-      continue;
-    }
+    if (write_inner(field, what, object, pairs, out)) continue;
     const FieldValue value = field.get(object);
     if (value.index() == 0 || (!field.about.required && same(value, field.get(table.defaults()))))
       continue;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "accel/build.hpp"
@@ -26,6 +27,25 @@ Diagnostics check_request(const Scene& scene, const RenderOptions& options) {
           {.message = fmt::format("{} {} is out of range: {} to {}", what, value, low, high)});
   };
   in_range("depth", options.max_depth, 0, kMaxDepth);
+  const auto at_least_0 = [&](const char* what, double value) {
+    if (!std::isfinite(value) || value < 0)
+      found.push_back({.message = fmt::format("{} {} is out of range: 0 or more", what, value)});
+  };
+  at_least_0("least contribution", options.min_contribution);
+  in_range("number of wavelengths", options.wavelengths, 1, kMaxWavelengths);
+  const Sampling& sampling = options.sampling;
+  constexpr int kMaxGrid = 256;
+  static_assert(kMaxGrid * kMaxGrid == kMaxSamples);
+  if (sampling.kind == Sampling::Kind::grid) {
+    in_range("number of samples in a row", sampling.count, 1, kMaxGrid);
+  } else {
+    in_range("number of samples", sampling.count, 1, kMaxSamples);
+  }
+  if (sampling.kind == Sampling::Kind::adaptive) {
+    in_range("most samples", sampling.most, std::clamp(sampling.count, 1, kMaxSamples),
+             kMaxSamples);
+    at_least_0("contrast", sampling.contrast);
+  }
   in_range("number of threads", options.threads, 0, kMaxThreads);
   in_range("tile side", options.tile, 0, kMaxTile);
   for (Diagnostic& problem : check(scene)) found.push_back(std::move(problem));

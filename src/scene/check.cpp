@@ -10,8 +10,10 @@
 #include <zraka/render.hpp>
 
 #include "core/in_parallel.hpp"
+#include "materials/dispersion.hpp"
 #include "scene/check_bodies.hpp"
 #include "scene/freeze.hpp"
+#include "scene/view.hpp"
 #include "shapes/shapes.hpp"
 
 namespace zraka {
@@ -27,7 +29,106 @@ bool within_reach(const Vec3& v) {
 
 bool finite_material(const Material& m) {
   return finite(m.ambient) && finite(m.diffuse) && finite(m.specular) && finite(m.shininess) &&
-         finite(m.reflection) && finite(m.refraction) && finite(m.ior);
+         finite(m.reflection) && finite(m.refraction) && finite(m.ior) && finite(m.absorption) &&
+         std::all_of(m.dispersion.numbers.begin(), m.dispersion.numbers.end(),
+                     [](double number) { return finite(number); });
+}
+
+/// What is wrong with a material, "" where all is well.
+std::string problem_of(const Material& m) {
+  if (!finite_material(m)) return "is not finite";
+  if (!(m.absorption.r >= 0 && m.absorption.g >= 0 && m.absorption.b >= 0))
+    return "has an absorption below 0";
+  if (m.dispersion.kind != Dispersion::Kind::none && !has_index(m.dispersion, m.ior))
+    return "has no index of refraction above 0 for some of the light that is seen";
+  return "";
+}
+
+/// The same of a light.
+std::string problem_of(const Light& light) {
+  const auto is_direction = [](const Vec3& v) { return finite(v) && v != Vec3{}; };
+  const Vec3& a = light.attenuation;
+  const bool surface = light.is_surface(), placed = light.kind != LightKind::directional;
+  if (!finite(light.color) || (placed && !finite(light.position))) return "is not finite";
+  if (placed && !within_reach(light.position))
+    return fmt::format("is farther than {} from the origin", kFarthest);
+  if (placed && !(finite(a) && a.x >= 0 && a.y >= 0 && a.z >= 0 && a != Vec3{}))
+    return "has an attenuation that is not finite, below 0, or 0";
+  if (surface && (light.samples < 1 || light.samples > kMaxSamples))
+    return fmt::format("has {} samples: expected 1 to {}", light.samples, kMaxSamples);
+  switch (light.kind) {
+    case LightKind::point:
+      break;
+    case LightKind::directional:
+      if (!is_direction(light.direction)) return "has a direction that is 0, or not finite";
+      break;
+    case LightKind::spot:
+      if (!is_direction(light.direction)) return "has a direction that is 0, or not finite";
+      if (!(light.inner_deg >= 0 && light.inner_deg <= light.outer_deg && light.outer_deg > 0 &&
+            light.outer_deg <= 180))
+        return fmt::format("shines from {} to {} degrees: expected angles up to 180, in order",
+                           light.inner_deg, light.outer_deg);
+      break;
+    case LightKind::rectangle:
+      if (!finite(light.edge_u) || !finite(light.edge_v)) return "has an edge that is not finite";
+      if (!within_reach(light.edge_u) || !within_reach(light.edge_v))
+        return fmt::format("is larger than {}", kFarthest);
+      if (!spans_a_plane(light.edge_u, light.edge_v)) return "has edges that span no plane";
+      break;
+    case LightKind::disc:
+      if (!is_direction(light.normal)) return "has a normal that is 0, or not finite";
+      [[fallthrough]];
+    case LightKind::sphere:
+      if (!finite(light.radius) || !(light.radius > 0))
+        return "has a radius that is not a finite number above 0";
+      if (light.radius > kFarthest) return fmt::format("is larger than {}", kFarthest);
+      break;
+  }
+  return "";
+}
+
+void check_camera(const Camera& camera, const auto& complain) {
+  if (!finite(camera.eye) || !finite(camera.window_center) || !finite(camera.window_right) ||
+      !finite(camera.window_up))
+    return complain("the camera is not finite");
+  if (!within_reach(camera.eye) || !within_reach(camera.window_center) ||
+      !within_reach(camera.window_right) || !within_reach(camera.window_up))
+    return complain(fmt::format("the camera reaches farther than {} from the origin", kFarthest));
+  if (camera.kind == CameraKind::pinhole) {
+    if (!finite(camera.aperture) || !(camera.aperture >= 0) || camera.aperture > kFarthest)
+      complain("the camera's aperture is not a finite number of 0 or more");
+    if (camera.aperture > 0 && !(finite(camera.focus_distance) && camera.focus_distance > 0 &&
+                                 camera.focus_distance <= kFarthest))
+      complain("the distance that the camera is focused at is not a finite number above 0");
+    return;
+  }
+  if (camera.window_center == camera.eye || !spans_a_plane(camera.window_right, camera.window_up))
+    complain("the camera looks nowhere: its window is at the eye, or spans no plane");
+  if (camera.kind == CameraKind::fisheye && !(camera.fov_deg > 0 && camera.fov_deg <= 360))
+    complain(
+        fmt::format("the camera's angle of view is {}: expected more than 0, up to 360 degrees",
+                    camera.fov_deg));
+}
+
+void check_sky(const Scene& scene, const auto& complain) {
+  const Sky& sky = scene.sky;
+  const AmbientOcclusion& occlusion = scene.ambient_occlusion;
+  if (!finite(scene.background) || !finite(scene.ambient_light))
+    complain("the background or the ambient light is not finite");
+  if (sky.kind == Sky::Kind::gradient && (!finite(sky.bottom) || !finite(sky.top)))
+    complain("a colour of the sky is not finite");
+  if (sky.kind != Sky::Kind::flat && (!finite(sky.up) || sky.up == Vec3{}))
+    complain("the sky's up is 0, or not finite");
+  if (sky.kind == Sky::Kind::image && sky.texture >= scene.textures.size())
+    complain(fmt::format("the sky has texture {}, but there are {}", sky.texture,
+                         scene.textures.size()));
+  else if (sky.kind == Sky::Kind::image && scene.textures[sky.texture].kind != TextureKind::image)
+    complain("the sky's texture is no image");
+  if (occlusion.samples < 0 || occlusion.samples > kMaxSamples)
+    complain(fmt::format("ambient occlusion has {} samples: expected 0 to {}", occlusion.samples,
+                         kMaxSamples));
+  if (!finite(occlusion.distance) || !(occlusion.distance >= 0) || !finite(occlusion.color))
+    complain("ambient occlusion is not finite, or its distance below 0");
 }
 
 /// How far a box reaches from the origin.
@@ -128,7 +229,7 @@ void check_floats(const Scene& scene, const Extent& extent, const auto& complain
               camera.window_center.z - camera.eye.z});
   const double pixel = std::fmin(length(camera.window_right) / scene.resolution.width,
                                  length(camera.window_up) / scene.resolution.height);
-  if (pixel < away * 0x1p-21)
+  if (camera.kind == CameraKind::pinhole && pixel < away * 0x1p-21)
     complain("the view is too narrow: floats cannot tell the rays of neighbouring pixels apart",
              "from nearer by, or with fewer pixels, they can");
   if (scene.shape_count() == 0 ||
@@ -185,22 +286,14 @@ Diagnostics check(const Scene& scene) {
   if (pixels > kMaxPixels)
     complain(fmt::format("a picture of {}×{} pixels is too large: at most {} pixels fit",
                          scene.resolution.width, scene.resolution.height, kMaxPixels));
-  const Camera& camera = scene.camera;
-  if (!finite(camera.eye) || !finite(camera.window_center) || !finite(camera.window_right) ||
-      !finite(camera.window_up))
-    complain("the camera is not finite");
-  else if (!within_reach(camera.eye) || !within_reach(camera.window_center) ||
-           !within_reach(camera.window_right) || !within_reach(camera.window_up))
-    complain(fmt::format("the camera reaches farther than {} from the origin", kFarthest));
-  if (!finite(scene.background) || !finite(scene.ambient_light))
-    complain("the background or the ambient light is not finite");
+  check_camera(scene.camera, complain);
+  check_sky(scene, complain);
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    if (!finite(scene.lights[i].position) || !finite(scene.lights[i].color))
-      complain(fmt::format("light {} is not finite", i + 1));
-    else if (!within_reach(scene.lights[i].position))
-      complain(fmt::format("light {} is farther than {} from the origin", i + 1, kFarthest));
+    if (const std::string problem = problem_of(scene.lights[i]); !problem.empty())
+      complain(fmt::format("light {} {}", i + 1, problem));
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
-    if (!finite_material(scene.materials[i])) complain(fmt::format("material {} is not finite", i));
+    if (const std::string problem = problem_of(scene.materials[i]); !problem.empty())
+      complain(fmt::format("material {} {}", i, problem));
   if (scene.shape_count() > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max()))
     complain(fmt::format("{} shapes are too many: at most {} fit", scene.shape_count(),
                          std::numeric_limits<std::int32_t>::max()));

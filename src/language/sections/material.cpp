@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "core/text.hpp"
 #include "language/sections.hpp"
 #include "language/textures.hpp"
+#include "materials/dispersion.hpp"
+#include "materials/glasses.hpp"
 
 namespace zraka::language {
 namespace {
@@ -18,7 +21,19 @@ struct Bump {
 struct NormalMap {
   TextureIndex texture;
 };
+struct Abbe {
+  double abbe = 60;
+};
+struct Cauchy {
+  std::array<double, 3> cauchy{};
+};
+struct Sellmeier {
+  std::array<double, 6> sellmeier{};
+};
 struct MaterialEntry : Material {
+  std::optional<double> own_ior;
+  std::variant<std::monostate, Abbe, Cauchy, Sellmeier> dispersion_entry;
+  std::optional<std::string> glass;
   std::optional<Bump> bump;
   std::optional<NormalMap> normal_map;
 };
@@ -87,6 +102,36 @@ constexpr Field kNormalMapFields[] = {
 constexpr Table kNormalMap = table_of<NormalMap>(
     "normal_map", "Takes the normal from a picture of normals.", kNormalMapFields);
 
+constexpr Choice kHighlights[] = {
+    {"phong", "(R·V)^n, by the reflected light (Phong 1975)"},
+    {"blinn", "(N·H)^n, by the direction halfway between light and viewer (Blinn 1977)"},
+};
+constexpr Choice kFresnels[] = {
+    {"off", "not at all"},
+    {"exact", "by Fresnel's equations for unpolarised light"},
+    {"schlick", "by Schlick's approximation (1994)"},
+};
+
+constexpr Field kAbbeFields[] = {
+    field<&Abbe::abbe>("abbe",
+                       {.text = "Abbe's number, (n_d - 1)/(n_F - n_C), where n_d is the ior",
+                        .range = greater_than(0),
+                        .required = true}),
+};
+constexpr Table kAbbe = table_of<Abbe>("abbe", "By Cauchy's first two terms.", kAbbeFields);
+constexpr Field kCauchyFields[] = {
+    field<&Cauchy::cauchy>("cauchy",
+                           {.text = "A, B, C in n = A + B/λ² + C/λ⁴, λ in µm", .required = true}),
+};
+constexpr Table kCauchy = table_of<Cauchy>("cauchy", "By Cauchy's formula.", kCauchyFields);
+constexpr Field kSellmeierFields[] = {
+    field<&Sellmeier::sellmeier>(
+        "sellmeier", {.text = "B1, B2, B3, C1, C2, C3 in n² = 1 + Σ Bi·λ²/(λ² - Ci), λ in µm",
+                      .required = true}),
+};
+constexpr Table kSellmeier =
+    table_of<Sellmeier>("sellmeier", "By Sellmeier's formula.", kSellmeierFields);
+
 constexpr Field kFields[] = {
     color_of_both(),
     textured_field<&Material::ambient, Coefficient::ambient>(
@@ -100,30 +145,38 @@ constexpr Field kFields[] = {
         {.text = "share of light in the highlight", .range = at_least(0), .symbol = "ks"}),
     textured_field<&Material::shininess, Coefficient::shininess>(
         "shininess", {.text = "the highlight's exponent", .range = at_least(0), .symbol = "n"}),
-    only("highlight", "phong", "the highlight's formula, (R·V)^n"),
+    field<&Material::highlight, MaterialEntry>(
+        "highlight", {.text = "the highlight's formula", .choices = kHighlights}),
     textured_field<&Material::reflection, Coefficient::reflection>(
-        "reflection", {.text = "share of the reflected ray",
-                       .range = at_least(0),
-                       .symbol = "k1",
-                       .later = "a colour"}),
+        "reflection", {.text = "share of the reflected ray", .range = at_least(0), .symbol = "k1"}),
     textured_field<&Material::refraction, Coefficient::refraction>(
-        "refraction", {.text = "share of the refracted ray",
-                       .range = at_least(0),
-                       .symbol = "k2",
-                       .later = "a colour"}),
-    field<&Material::ior, MaterialEntry>(
-        "ior", {.text = "index of refraction of the inside; with the profile lab, n1/n2 on entry",
-                .range = greater_than(0),
-                .symbol = "ni"}),
-    only("fresnel", "off", "how the angle moves light from refraction to reflection"),
-    only("absorption", 0, "what the inside swallows, per unit of length"),
-    only("priority", 0, "which body counts where two overlap"),
-    not_built("dispersion", "how the index depends on the wavelength"),
-    not_built("glass", "the name of a glass, for its index"),
-    table_field<&MaterialEntry::bump>("bump", kBump,
-                                      {.text = "a texture that bends the normal by its height"}),
-    table_field<&MaterialEntry::normal_map>("normal_map", kNormalMap,
-                                            {.text = "a texture of normals"}),
+        "refraction", {.text = "share of the refracted ray", .range = at_least(0), .symbol = "k2"}),
+    field<&MaterialEntry::own_ior>(
+        "ior",
+        {.text = "index of refraction of the inside; with the profile lab, n1/n2 on entry. Where "
+                 "nothing is said, 1, or that of the dispersion's formula at 587.56 nm",
+         .range = greater_than(0),
+         .symbol = "ni"}),
+    field<&Material::fresnel, MaterialEntry>(
+        "fresnel",
+        {.text = "how the angle moves light from refraction to reflection", .choices = kFresnels}),
+    field<&Material::absorption, MaterialEntry>(
+        "absorption", {.text = "what the inside swallows per unit of length: exp(-a·d) is left",
+                       .range = at_least(0)}),
+    field<&Material::priority, MaterialEntry>(
+        "priority",
+        {.text = "where bodies overlap, the inside of the higher one counts",
+         .range = from_to(std::numeric_limits<int>::min(), std::numeric_limits<int>::max())}),
+    table_field<&MaterialEntry::dispersion_entry, kAbbe, kCauchy, kSellmeier>(
+        "dispersion", {.text = "how the index depends on the wavelength"}),
+    field<&MaterialEntry::glass>("glass",
+                                 {.text = "short for ior and dispersion of a material that is "
+                                          "known by its name, in any case",
+                                  .unit = Unit::name_of_glass}),
+    table_field<&MaterialEntry::bump, kBump>(
+        "bump", {.text = "a texture that bends the normal by its height"}),
+    table_field<&MaterialEntry::normal_map, kNormalMap>("normal_map",
+                                                        {.text = "a texture of normals"}),
 };
 constexpr Table kTable =
     table_of<MaterialEntry>("material",
@@ -138,6 +191,58 @@ NormalUse normals_of(const MaterialEntry& entry) {
   return {};
 }
 
+struct DispersionOf {
+  using K = Dispersion::Kind;
+  Dispersion operator()(std::monostate) const { return {}; }
+  Dispersion operator()(const Abbe& d) const { return {K::abbe, {d.abbe}}; }
+  Dispersion operator()(const Cauchy& d) const { return of(K::cauchy, d.cauchy); }
+  Dispersion operator()(const Sellmeier& d) const { return of(K::sellmeier, d.sellmeier); }
+  static Dispersion of(K kind, std::span<const double> numbers) {
+    Dispersion made{kind};
+    std::copy(numbers.begin(), numbers.end(), made.numbers.begin());
+    return made;
+  }
+};
+
+/// Of a material that does not say it.
+double ior_of(const Dispersion& dispersion) {
+  return refractive_index(dispersion, Material{}.ior, kLineD);
+}
+
+/// What the glass is, or why it is none.
+void read_glass(const toml::Node& node, MaterialEntry& entry, std::string_view what,
+                Problems& problems) {
+  const toml::Node& name = *node.find("glass");
+  for (const char* other : {"ior", "dispersion"})
+    if (const toml::Node* const both = node.find(other))
+      problems.error(both->key_begin,
+                     fmt::format("{} has glass and {}: expected one of them", what, other));
+  const Glass* const glass = glass_named(*entry.glass);
+  if (glass != nullptr) {
+    entry.dispersion = glass->dispersion;
+    entry.ior = glass->ior();
+    return;
+  }
+  std::vector<std::string_view> known;
+  for (const Glass& each : glasses()) known.push_back(each.name);
+  problems.unknown(name.begin, fmt::format("unknown glass '{}' for {}", shown(*entry.glass), what),
+                   *entry.glass, known, "glasses");
+}
+
+void read_optics(const toml::Node& node, MaterialEntry& entry, std::string_view what,
+                 Problems& problems) {
+  entry.dispersion = std::visit(DispersionOf(), entry.dispersion_entry);
+  entry.ior = entry.own_ior.value_or(ior_of(entry.dispersion));
+  if (entry.glass)
+    read_glass(node, entry, what, problems);
+  else if (entry.dispersion.kind != Dispersion::Kind::none &&
+           !has_index(entry.dispersion, entry.ior))
+    problems.error(node.find("dispersion")->begin,
+                   fmt::format("dispersion of {} has no index above 0 for some of the light that "
+                               "is seen, from {} to {} µm",
+                               what, kShortestSeen, kLongestSeen));
+}
+
 void read(const toml::Node& node, Input& input) {
   MaterialEntry entry;
   const std::string what = fmt::format("material {}", key_of(node.key));
@@ -145,6 +250,7 @@ void read(const toml::Node& node, Input& input) {
   if (entry.bump && entry.normal_map)
     input.problems.error(node.find("normal_map")->begin,
                          fmt::format("{} has bump and normal_map: expected one of them", what));
+  read_optics(node, entry, what, input.problems);
   entry.normals = normals_of(entry);
   std::sort(entry.textures.begin(), entry.textures.end(),
             [](const TextureUse& a, const TextureUse& b) { return a.coefficient < b.coefficient; });
@@ -157,6 +263,21 @@ void read(const toml::Node& node, Input& input) {
 MaterialEntry entry_of(const Material& material) {
   MaterialEntry entry;
   static_cast<Material&>(entry) = material;
+  if (material.ior != ior_of(material.dispersion)) entry.own_ior = material.ior;
+  const std::array<double, 6>& k = material.dispersion.numbers;
+  switch (material.dispersion.kind) {
+    case Dispersion::Kind::none:
+      break;
+    case Dispersion::Kind::abbe:
+      entry.dispersion_entry = Abbe{k[0]};
+      break;
+    case Dispersion::Kind::cauchy:
+      entry.dispersion_entry = Cauchy{{k[0], k[1], k[2]}};
+      break;
+    case Dispersion::Kind::sellmeier:
+      entry.dispersion_entry = Sellmeier{k};
+      break;
+  }
   const TextureIndex texture{material.normals.texture};
   if (material.normals.kind == NormalUse::Kind::bump)
     entry.bump = Bump{texture, material.normals.height};

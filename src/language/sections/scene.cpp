@@ -1,27 +1,140 @@
 // SPDX-License-Identifier: Apache-2.0
 // [scene]: the light that comes from everywhere, and from nowhere.
+#include <fmt/format.h>
+
+#include <variant>
+
+#include "language/files.hpp"
 #include "language/sections.hpp"
+#include "language/textures.hpp"
 
 namespace zraka::language {
 namespace {
 
+struct Gradient {
+  Color bottom, top;
+  Vec3 up = Sky{}.up;
+};
+/// One of the two.
+struct Panorama {
+  std::optional<std::string> file;
+  std::optional<TextureIndex> texture;
+  Vec3 up = Sky{}.up;
+};
+struct Occlusion : AmbientOcclusion {
+  Occlusion() { samples = 64; }
+  explicit Occlusion(const AmbientOcclusion& other) : AmbientOcclusion(other) {}
+};
+struct Entry {
+  Color ambient = Scene{}.ambient_light;
+  std::variant<Color, Gradient, Panorama> background;
+  std::optional<Occlusion> occlusion;
+};
+
+constexpr Field kGradientFields[] = {
+    field<&Gradient::bottom>(
+        "bottom", {.text = "the colour straight down", .range = at_least(0), .required = true}),
+    field<&Gradient::top>(
+        "top", {.text = "the colour straight up", .range = at_least(0), .required = true}),
+    field<&Gradient::up>("up", {.text = "which way is up", .unit = Unit::direction}),
+};
+constexpr Table kGradient = table_of<Gradient>(
+    "gradient", "From colour to colour, evenly with the height of the ray's direction.",
+    kGradientFields);
+constexpr Field kPanoramaFields[] = {
+    field<&Panorama::file>("file", {.text = "the picture: PNG, JPEG, PPM, PGM, PFM, HDR or OpenEXR",
+                                    .unit = Unit::picture}),
+    field<&Panorama::texture>("texture", {.text = "in its place, a texture of kind image"}),
+    field<&Panorama::up>("up", {.text = "which way is up", .unit = Unit::direction}),
+};
+constexpr Table kPanorama = table_of<Panorama>(
+    "image", "A panorama: columns are longitudes, rows latitudes, its middle is seen towards -z.",
+    kPanoramaFields);
+
+constexpr Field kOcclusionFields[] = {
+    field<&AmbientOcclusion::samples>("samples", {.text = "rays over the hemisphere at each point",
+                                                  .range = from_to(1, kMaxSamples)}),
+    field<&AmbientOcclusion::distance>("distance",
+                                       {.text = "how far away shapes matter; 0: all of them do",
+                                        .unit = Unit::length,
+                                        .range = at_least(0)}),
+    field<&AmbientOcclusion::color>(
+        "color", {.text = "the factor of the ambient light that is left", .range = at_least(0)}),
+};
+constexpr Table kOcclusion = table_of<Occlusion>(
+    "ambient_occlusion",
+    "Takes from the ambient light the share of rays over the hemisphere that meet something.",
+    kOcclusionFields);
+
 constexpr Field kFields[] = {
-    field<&Scene::ambient_light>(
+    field<&Entry::ambient>(
         "ambient", {.text = "the light that is everywhere", .range = at_least(0), .symbol = "Ia"}),
-    field<&Scene::background>("background", {.text = "the colour of rays that hit nothing",
-                                             .range = at_least(0),
-                                             .later = "a gradient or an image"}),
-    not_built("ambient_occlusion", "how much less of the ambient light corners get"),
+    table_field<&Entry::background, kGradient, kPanorama>(
+        "background",
+        {.text = "the colour of rays that hit nothing", .range = at_least(0), .by_kind = true}),
+    table_field<&Entry::occlusion, kOcclusion>(
+        "ambient_occlusion", {.text = "how much less of the ambient light corners get"}),
 };
 constexpr Table kTable =
-    table_of<Scene>("scene", "The light that is everywhere, and the background.", kFields);
+    table_of<Entry>("scene", "The light that is everywhere, and the background.", kFields);
+
+/// The texture of a panorama; none, and the problem told, if there is anything wrong with it.
+std::optional<std::uint32_t> texture_of(const Panorama& panorama, const toml::Node& node,
+                                        Input& input) {
+  constexpr std::string_view kWhat = "background of scene";
+  const toml::Node* const named = node.find("texture");
+  if (panorama.file && named != nullptr) {
+    input.problems.error(named->key_begin,
+                         fmt::format("{} has file and texture: expected one of them", kWhat));
+    return std::nullopt;
+  }
+  if (panorama.texture) {
+    const std::uint32_t index = panorama.texture->index;
+    if (input.scene.textures[index].kind == TextureKind::image) return index;
+    if (input.problems.errors() == 0)  // else it may be what could not be read
+      input.problems.error(named->begin,
+                           fmt::format("texture of {} is no texture of kind image", kWhat));
+    return std::nullopt;
+  }
+  if (!panorama.file) {
+    if (named == nullptr && node.find("file") == nullptr)
+      input.problems.missing(
+          node.begin, fmt::format("{} has no file: expected {}, {}", kWhat,
+                                  kPanoramaFields[0].about.text, expected_of(kPanoramaFields[0])));
+    return std::nullopt;
+  }
+  Texture texture;
+  texture.kind = TextureKind::image;
+  texture.mapping = TextureMapping::uv;
+  texture.file = *panorama.file;
+  texture.image = read_picture(*node.find("file"), kWhat, texture.transfer, input);
+  input.scene.textures.push_back(std::move(texture));
+  return static_cast<std::uint32_t>(input.scene.textures.size() - 1);
+}
 
 void read(const toml::Node& node, Input& input) {
-  read_fields(node, kTable, "scene", &input.scene, input);
+  Entry entry;
+  Scene& scene = input.scene;
+  read_fields(node, kTable, "scene", &entry, input);
+  scene.ambient_light = entry.ambient;
+  if (entry.occlusion) scene.ambient_occlusion = *entry.occlusion;
+  if (const Color* const color = std::get_if<Color>(&entry.background)) scene.background = *color;
+  if (const Gradient* const g = std::get_if<Gradient>(&entry.background))
+    scene.sky = {Sky::Kind::gradient, g->bottom, g->top, g->up};
+  if (const Panorama* const p = std::get_if<Panorama>(&entry.background))
+    if (const auto texture = texture_of(*p, *node.find("background"), input))
+      scene.sky = {Sky::Kind::image, {}, {}, p->up, *texture};
 }
 
 void write(Output& output) {
-  write_table("[scene]", false, kTable, "scene", &output.scene, output.text);
+  const Scene& scene = output.scene;
+  const Sky& sky = scene.sky;
+  Entry entry{scene.ambient_light, scene.background, {}};
+  if (sky.kind == Sky::Kind::gradient) entry.background = Gradient{sky.bottom, sky.top, sky.up};
+  if (sky.kind == Sky::Kind::image)
+    entry.background = Panorama{{}, TextureIndex{sky.texture}, sky.up};
+  if (scene.ambient_occlusion.samples > 0) entry.occlusion = Occlusion(scene.ambient_occlusion);
+  write_table("[scene]", false, kTable, "scene", &entry, output.text);
 }
 
 }  // namespace
