@@ -195,13 +195,13 @@ void GeneralReader::at_passed(const general::Passed<float>& passed) {
                                  float3(passed.transmittance)});
 }
 
-void GeneralReader::at_light(std::int32_t light, const Level<float>& level,
+void GeneralReader::at_light(std::int32_t /*light*/, const Level<float>& level,
                              const general::LightSum<float>* sums) {
   if (stop) return;
   const Terms& stage = settings_.terms;
-  const int samples = stand_.frozen().optics->lights[light].samples;
   for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
     const general::LightSum<float>& sum = sums[h];
+    const int samples = sum.samples;
     LightTerms at{.reach = Reach::behind,
                   .distance = stand_.prepared.frame.world_length(sum.distance),
                   .to_light = {static_cast<float>(sum.to_light.x),

@@ -47,15 +47,28 @@ constexpr std::uint32_t second_sobol_reversed(std::uint32_t index) {
   return index ^ ((index >> 1) & 0x55555555u);
 }
 
-/// The index-th point of a scrambled and shuffled sequence; `scramble` says which. Each 2^k points
-/// from a multiple of 2^k on have one in each of the 2^k equal rectangles that halving the square
-/// makes, of any shape: a (0,2)-sequence.
+/// A scrambled and shuffled sequence; the key says which. Each 2^k points from a multiple of 2^k on
+/// have one in each of the 2^k equal rectangles that halving the square makes, of any shape: a
+/// (0,2)-sequence.
+class Sobol2 {
+ public:
+  constexpr explicit Sobol2(std::uint32_t key)
+      : shuffle_(hash(key, 0)), u_(hash(key, 1)), v_(hash(key, 2)) {}
+
+  constexpr Point2 operator[](std::uint32_t index) const {
+    const std::uint32_t at = reverse_bits(scramble_reversed(reverse_bits(index), shuffle_));
+    const std::uint32_t u = scramble_reversed(at, u_);
+    const std::uint32_t v = scramble_reversed(second_sobol_reversed(at), v_);
+    return {unit_of(reverse_bits(u)), unit_of(reverse_bits(v))};
+  }
+
+ private:
+  std::uint32_t shuffle_, u_, v_;
+};
+
+/// One point of it.
 constexpr Point2 sobol_2d(std::uint32_t index, std::uint32_t scramble) {
-  const std::uint32_t at =
-      reverse_bits(scramble_reversed(reverse_bits(index), hash(scramble, 0)));
-  const std::uint32_t u = scramble_reversed(at, hash(scramble, 1));
-  const std::uint32_t v = scramble_reversed(second_sobol_reversed(at), hash(scramble, 2));
-  return {unit_of(reverse_bits(u)), unit_of(reverse_bits(v))};
+  return Sobol2(scramble)[index];
 }
 
 }  // namespace zraka

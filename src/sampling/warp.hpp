@@ -29,6 +29,20 @@ inline DiscPoint concentric_disc(const Point2& p) {
   return {b * elementary::sin(angle), b * elementary::cos(angle)};
 }
 
+/// The same, rounder by a billionth: sine and cosine of at most an eighth of a turn by their series.
+inline DiscPoint quick_concentric_disc(const Point2& p) {
+  constexpr double kQuarter = 0.78539816339744830962;
+  const double a = 2 * p.u - 1, b = 2 * p.v - 1;
+  if (a == 0 && b == 0) return {0, 0};
+  const bool wide = std::fabs(a) > std::fabs(b);
+  const double r = wide ? a : b, x = kQuarter * (wide ? b / a : a / b), z = x * x;
+  const double sine =
+      x * (1 + z * (-1.0 / 6 + z * (1.0 / 120 + z * (-1.0 / 5040 + z * (1.0 / 362880)))));
+  const double cosine =
+      1 + z * (-1.0 / 2 + z * (1.0 / 24 + z * (-1.0 / 720 + z * (1.0 / 40320))));
+  return wide ? DiscPoint{r * cosine, r * sine} : DiscPoint{r * sine, r * cosine};
+}
+
 /// Directions around z with a density of cosine/π (Malley's method): the disc, lifted up.
 inline V3<double> cosine_hemisphere(const Point2& p) {
   const DiscPoint d = concentric_disc(p);

@@ -80,7 +80,7 @@ struct HitState {
 template <class R>
 struct LightSum {
   V3<R> diffuse, specular;
-  std::int32_t facing, lit;  ///< so many of its samples face it, and are not wholly blocked
+  std::int32_t samples, facing, lit;  ///< all, those that face it, and are not wholly blocked
   // Of the first sample.
   V3<double> to_light;
   double distance, l_n, cosine, highlight;  ///< cosine: R·V or N·H
@@ -134,6 +134,7 @@ struct GeneralWorkspace {
   std::vector<std::vector<HitState<R>>> hits;
   std::vector<LightSum<R>> sums;
   std::vector<V3<R>> occlusion;
+  std::vector<std::int32_t> samples;  ///< of occlusion, by hit
   std::vector<Waiting<R>> waiting;
   std::vector<V3<R>> filter;  ///< of each that waits
   /// Rays on their way through what is transparent, and what they hit there.

@@ -46,7 +46,7 @@ Arriving arriving(const OpticalLight& light, const V3<double>& point, const Poin
   if (light.kind == LightKind::rectangle) {
     from = from + light.edge_u * at.u + light.edge_v * at.v;
   } else if (light.kind == LightKind::disc) {
-    const DiscPoint on = concentric_disc(at);
+    const DiscPoint on = quick_concentric_disc(at);
     from = from + light.edge_u * on.x + light.edge_v * on.y;
   } else if (light.kind == LightKind::sphere) {
     // The disc that it looks like from the point.
@@ -56,7 +56,7 @@ Arriving arriving(const OpticalLight& light, const V3<double>& point, const Poin
       V3<double> a{}, b{};
       const V3<double> axis = way * (1 / away);
       basis_of(axis, a, b);
-      const DiscPoint on = concentric_disc(at);
+      const DiscPoint on = quick_concentric_disc(at);
       const double sine = light.radius / away, cosine = std::sqrt(1 - sine * sine);
       // Where the cone around it touches it.
       from = from - axis * (light.radius * sine) +
@@ -77,6 +77,16 @@ Arriving arriving(const OpticalLight& light, const V3<double>& point, const Poin
                                  : (cosine >= light.cos_outer ? 1.0 : 0.0);
   }
   return arrives;
+}
+
+/// As many samples as a ray's weight in the pixel is worth: what counts little may be noisier.
+template <class R>
+std::int32_t samples_for(std::int32_t of_light, const RayState<R>& ray) {
+  if (of_light == 1) return 1;
+  const double most = static_cast<double>(
+      most_of(V3<R>{std::fabs(ray.weight.x), std::fabs(ray.weight.y), std::fabs(ray.weight.z)}));
+  return std::clamp(static_cast<std::int32_t>(std::ceil(of_light * std::fmin(most, 1.0))), 1,
+                    of_light);
 }
 
 template <class R>
@@ -239,6 +249,12 @@ void wait(const Batch<R>& batch, std::size_t h, std::int32_t sample, const Arriv
       {static_cast<std::int32_t>(h), sample, arrives.to_light, l_n, radiance});
 }
 
+/// cosine^n; what is below 2^-40 is nothing: ln x ≤ x - 1.
+double highlight_of(double cosine, double shininess) {
+  if ((1 - cosine) * shininess > 27.73) return 0;
+  return elementary::pow(std::fmin(cosine, 1.0), shininess);
+}
+
 /// Adds what has arrived of one light to the sums of its hits.
 template <class R>
 void settle_light(const Batch<R>& batch) {
@@ -272,8 +288,7 @@ void settle_light(const Batch<R>& batch) {
       if (one.sample == 0) sum.cosine = cosine;
       continue;
     }
-    const double highlight =
-        elementary::pow(std::fmin(cosine, 1.0), static_cast<double>(row[kShininess]));
+    const double highlight = highlight_of(cosine, static_cast<double>(row[kShininess]));
     if (one.sample == 0) sum.cosine = cosine, sum.highlight = highlight;
     sum.specular = sum.specular + radiance * ks * static_cast<R>(highlight);
   }
@@ -289,15 +304,16 @@ void add_light(const Batch<R>& batch, std::int32_t index) {
   general.sums.assign(batch.hit_count(), LightSum<R>{});
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     const RayState<R>& ray = batch.ray_of(h);
-    const std::uint32_t key = hash(ray.key, static_cast<std::uint32_t>(index), 0x11u);
     const V3<double> point = batch.point(h), normal = batch.normal(h);
-    for (std::int32_t s = 0; s < light.samples; ++s) {
-      const Point2 at =
-          light.samples == 1 && light.kind < LightKind::rectangle
-              ? Point2{0.5, 0.5}
-              : sobol_2d(ray.sample * static_cast<std::uint32_t>(light.samples) +
-                             static_cast<std::uint32_t>(s),
-                         key);
+    const bool is_surface = light.kind >= LightKind::rectangle;
+    const Sobol2 points(
+        is_surface ? hash(ray.key, static_cast<std::uint32_t>(index), 0x11u) : 0u);
+    const std::int32_t samples = general.sums[h].samples = samples_for(light.samples, ray);
+    for (std::int32_t s = 0; s < samples; ++s) {
+      const Point2 at = is_surface
+                            ? points[ray.sample * static_cast<std::uint32_t>(light.samples) +
+                                     static_cast<std::uint32_t>(s)]
+                            : Point2{0.5, 0.5};
       const Arriving arrives = arriving(light, point, at);
       const double l_n = dot(arrives.to_light, normal);
       const V3<R> radiance = color * static_cast<R>(arrives.strength);
@@ -313,10 +329,10 @@ void add_light(const Batch<R>& batch, std::int32_t index) {
     }
   }
   settle_light(batch);
-  const R mean = R(1) / static_cast<R>(light.samples);
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     LightSum<R>& sum = general.sums[h];
-    if (light.samples > 1) sum.diffuse = sum.diffuse * mean, sum.specular = sum.specular * mean;
+    const R mean = R(1) / static_cast<R>(sum.samples);
+    if (sum.samples > 1) sum.diffuse = sum.diffuse * mean, sum.specular = sum.specular * mean;
     HitArrays<R>& hits = batch.level.hits;
     const V3<R> local = V3<R>{hits.r[h], hits.g[h], hits.b[h]} + sum.diffuse + sum.specular;
     hits.r[h] = local.x, hits.g[h] = local.y, hits.b[h] = local.z;
@@ -331,6 +347,7 @@ void find_occlusion(const Batch<R>& batch) {
   const FrozenOptics& optics = batch.optics();
   GeneralWorkspace<R>& general = batch.general;
   general.occlusion.assign(batch.hit_count(), V3<R>{R(0), R(0), R(0)});
+  general.samples.assign(batch.hit_count(), 1);
   Listener<R>* const listener = general.listener;
   general.listener = nullptr;  // too much to tell
   const auto settle = [&] {
@@ -345,14 +362,15 @@ void find_occlusion(const Batch<R>& batch) {
     const R* const row = batch.row(h);
     if (row[kAmbient] == R(0) && row[kAmbient + 1] == R(0) && row[kAmbient + 2] == R(0)) continue;
     const RayState<R>& ray = batch.ray_of(h);
-    const std::uint32_t key = hash(ray.key, 0xA0u);
+    const Sobol2 points(hash(ray.key, 0xA0u));
+    const std::int32_t samples = general.samples[h] = samples_for(optics.occlusion_samples, ray);
     V3<double> a{}, b{};
     const V3<double> normal = batch.normal(h);
     basis_of(normal, a, b);
-    for (std::int32_t s = 0; s < optics.occlusion_samples; ++s) {
+    for (std::int32_t s = 0; s < samples; ++s) {
       const auto number = ray.sample * static_cast<std::uint32_t>(optics.occlusion_samples) +
                           static_cast<std::uint32_t>(s);
-      const DiscPoint on = concentric_disc(sobol_2d(number, key));
+      const DiscPoint on = quick_concentric_disc(points[number]);
       const double up = std::sqrt(std::fmax(1 - on.x * on.x - on.y * on.y, 0.0));
       const V3<double> way = unit(a * on.x + b * on.y + normal * up);
       wait(batch, h, s, {way, optics.occlusion_distance, 1}, up, V3<R>{});
@@ -361,9 +379,10 @@ void find_occlusion(const Batch<R>& batch) {
   }
   settle();
   general.listener = listener;
-  const R mean = R(1) / static_cast<R>(optics.occlusion_samples);
   const V3<R> color = narrowed<R>(optics.occlusion_color);
-  for (V3<R>& reached : general.occlusion) reached = reached * mean * color;
+  for (std::size_t h = 0; h < batch.hit_count(); ++h)
+    general.occlusion[h] =
+        general.occlusion[h] * (R(1) / static_cast<R>(general.samples[h])) * color;
 }
 
 }  // namespace
