@@ -48,38 +48,48 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The sides of what a camera sees: normals that point inwards, of planes through the eye.
+/// The sides of what a camera sees: normals that point inwards, of planes through the eye, or
+/// through the window's edges where rays are parallel.
 class View {
  public:
-  explicit View(const Camera& camera) : eye_(camera.eye) {
+  explicit View(const Camera& camera) : knows_(camera.kind == CameraKind::pinhole ||
+                                               camera.kind == CameraKind::orthographic) {
+    if (!knows_) return;
+    const bool parallel = camera.kind == CameraKind::orthographic;
+    const Vec3 ahead = minus(camera.window_center, camera.eye);
     const auto corner = [&](double right, double up) {
       const Vec3 &c = camera.window_center, &r = camera.window_right, &u = camera.window_up;
       return minus({c.x + right * r.x + up * u.x, c.y + right * r.y + up * u.y,
                     c.z + right * r.z + up * u.z},
-                   eye_);
+                   parallel ? c : camera.eye);
     };
     const Vec3 corners[] = {corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5),
                             corner(-0.5, 0.5)};
-    const Vec3 middle = corner(0, 0);
     for (int i = 0; i < 4; ++i) {
-      const Vec3 side = cross(corners[i], corners[(i + 1) % 4]);
-      const double inwards = dot(side, middle) < 0 ? -1 : 1;
+      const Vec3 &from = corners[i], &to = corners[(i + 1) % 4], &beyond = corners[(i + 2) % 4];
+      const Vec3 side = parallel ? cross(ahead, minus(to, from)) : cross(from, to);
+      const double inwards = dot(side, parallel ? minus(beyond, from) : corner(0, 0)) < 0 ? -1 : 1;
+      const Vec3 &eye = camera.eye;
+      points_[i] = parallel ? Vec3{eye.x + from.x, eye.y + from.y, eye.z + from.z} : eye;
       sides_[i] = {side.x * inwards, side.y * inwards, side.z * inwards};
     }
   }
 
   /// True for some boxes beyond an edge of the view, too.
   bool may_see(const Bounds& box) const {
-    return std::none_of(std::begin(sides_), std::end(sides_), [&](const Vec3& n) {
+    if (!knows_) return true;
+    for (int i = 0; i < 4; ++i) {
+      const Vec3& n = sides_[i];
       const Vec3 farthest{n.x > 0 ? box.upper.x : box.lower.x, n.y > 0 ? box.upper.y : box.lower.y,
                           n.z > 0 ? box.upper.z : box.lower.z};
-      return dot(n, minus(farthest, eye_)) < 0;
-    });
+      if (dot(n, minus(farthest, points_[i])) < 0) return false;
+    }
+    return true;
   }
 
  private:
-  Vec3 eye_;
-  Vec3 sides_[4];
+  bool knows_;  ///< others look all round
+  Vec3 points_[4], sides_[4];
 };
 
 /// "sphere 3", or with its name.
