@@ -223,25 +223,23 @@ void lint_priorities(const Scene& scene, Diagnostics& all) {
                                 [](const Material& m) { return m.priority != 0; });
   if (!used) return;
   std::vector<Clear> clear;
-  const auto add = [&]<class Shape>(const std::vector<Object<Shape>>& objects, std::int32_t kind) {
-    for (std::uint32_t i = 0; i < objects.size(); ++i) {
-      const Object<Shape>& object = objects[i];
-      const Material& m = scene.materials[object.material];
-      if (!refracts(m) || (is_body<Shape> && object.transform != 0)) continue;
-      Clear one{ShapeTraits<Shape>::bounds(object.shape),
-                {},
-                m.priority,
-                ShapeTraits<Shape>::kName,
-                {kind, i}};
-      if constexpr (std::is_same_v<Shape, Sphere>) one.sphere = object.shape;
-      clear.push_back(one);
-    }
-  };
   std::int32_t kind = 0;
-#define ZRAKA_ADD(Type, plural)                                            \
-  if constexpr (std::is_same_v<Type, Sphere> || std::is_same_v<Type, Box>) \
-    add(scene.plural, kind);                                               \
-  ++kind;
+  const auto add = [&]<class Shape>(const std::vector<Object<Shape>>& objects) {
+    if constexpr (std::is_same_v<Shape, Sphere> || std::is_same_v<Shape, Box>)
+      for (std::uint32_t i = 0; i < objects.size(); ++i) {
+        const Object<Shape>& object = objects[i];
+        const Material& m = scene.materials[object.material];
+        if (!refracts(m) || (is_body<Shape> && object.transform != 0)) continue;
+        clear.push_back({ShapeTraits<Shape>::bounds(object.shape),
+                         {},
+                         m.priority,
+                         ShapeTraits<Shape>::kName,
+                         {kind, i}});
+        if constexpr (std::is_same_v<Shape, Sphere>) clear.back().sphere = object.shape;
+      }
+    ++kind;
+  };
+#define ZRAKA_ADD(Type, plural) add(scene.plural);
   ZRAKA_SHAPES(ZRAKA_ADD)
 #undef ZRAKA_ADD
   // Only those whose boxes overlap along x are looked at.
