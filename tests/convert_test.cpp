@@ -121,6 +121,96 @@ TEST(Convert, SaysWhatNffLoses) {
       "straight\n");
 }
 
+/// A sphere before the lab's window, with all that formats of other people do not know.
+Scene rich_scene() {
+  Scene scene = lab_scene();
+  add_sphere(scene, {0, 0, 0}, 1,
+             {.reflection = Color{0, 0.5, 0},
+              .refraction = 0.5,
+              .highlight = Highlight::blinn,
+              .fresnel = Fresnel::exact,
+              .absorption = {1, 0, 0},
+              .priority = 2,
+              .dispersion = {Dispersion::Kind::abbe, {60}}});
+  scene.camera.aperture = 0.1;
+  scene.sky.kind = Sky::Kind::gradient;
+  scene.ambient_occlusion.samples = 4;
+  scene.defaults.shadows = Shadows::transparent;
+  scene.defaults.min_contribution = 0.1;
+  scene.defaults.wavelengths = 3;
+  scene.defaults.sampling = {.count = 4, .filter = PixelFilter::tent, .seed = 1};
+  return scene;
+}
+
+TEST(Convert, SaysWhatNffLosesOfOptics) {
+  Scene scene = rich_scene();
+  scene.lights = {{.position = {1, 2, 3}},
+                  {.position = {}, .kind = LightKind::directional},
+                  {.position = {}, .kind = LightKind::spot, .attenuation = {0, 0, 1}},
+                  {.position = {}, .kind = LightKind::disc},
+                  {.position = {0, 0, 9}, .kind = LightKind::rectangle}};
+  EXPECT_EQ(
+      losses(scene, "nff"),
+      "warning: lost in NFF: lights: directional ones\n"
+      "warning: lost in NFF: lights: the cones of spots\n"
+      "warning: lost in NFF: lights: attenuation\n"
+      "warning: lost in NFF: lights: the size of rectangles, discs and spheres (2 times)\n"
+      "warning: lost in NFF: the camera's lens\n"
+      "warning: lost in NFF: the sky's gradient\n"
+      "warning: lost in NFF: ambient occlusion\n"
+      "warning: lost in NFF: the ambient light, which NFF's rule gives\n"
+      "warning: lost in NFF: the profile\n"
+      "warning: lost in NFF: that shadows are transparent\n"
+      "warning: lost in NFF: the least contribution\n"
+      "warning: lost in NFF: the samples of pixels\n"
+      "warning: lost in NFF: the filter of samples\n"
+      "warning: lost in NFF: the seed\n"
+      "warning: lost in NFF: the number of wavelengths\n"
+      "warning: lost in NFF: materials: another ambient share than the diffuse one\n"
+      "warning: lost in NFF: materials: Blinn's highlight\n"
+      "warning: lost in NFF: materials: colours of the shares of reflected and refracted rays\n"
+      "warning: lost in NFF: materials: Fresnel's law\n"
+      "warning: lost in NFF: materials: absorption\n"
+      "warning: lost in NFF: materials: priority\n"
+      "warning: lost in NFF: materials: dispersion\n");
+  const Scene again = through(scene, "nff");
+  ASSERT_EQ(again.lights.size(), 4u);
+  EXPECT_EQ(again.lights[3].position, (Vec3{0.5, 0, 9.5})) << "the middle of the rectangle";
+  scene.camera.kind = CameraKind::fisheye;
+  EXPECT_EQ(losses(scene, "nff"),
+            "error: NFF cannot say what this scene's camera is: it knows pinholes alone\n");
+}
+
+TEST(Convert, SaysWhatInputTxtLosesOfOptics) {
+  Scene scene = rich_scene();
+  scene.defaults = {ProfileName::lab};
+  scene.lights[0].attenuation = {1, 1, 0};
+  const std::string sky =
+      "error: the course's input.txt format cannot say another background than black or another "
+      "ambient light than 0.5\n";
+  EXPECT_EQ(losses(scene, "lab"), sky);
+  scene.sky = {};
+  EXPECT_EQ(losses(scene, "lab"),
+            "warning: lost in input.txt: lights: attenuation\n"
+            "warning: lost in input.txt: the camera's lens\n"
+            "warning: lost in input.txt: ambient occlusion\n"
+            "warning: lost in input.txt: materials: Blinn's highlight\n"
+            "warning: lost in input.txt: materials: colours of the shares of reflected and "
+            "refracted rays\n"
+            "warning: lost in input.txt: materials: Fresnel's law\n"
+            "warning: lost in input.txt: materials: absorption\n"
+            "warning: lost in input.txt: materials: priority\n"
+            "warning: lost in input.txt: materials: dispersion\n");
+  scene.lights[0].kind = LightKind::spot;
+  EXPECT_EQ(losses(scene, "lab"),
+            "error: the course's input.txt format cannot say this light: it knows those that shine "
+            "from a point into all directions\n");
+  scene.camera.kind = CameraKind::panorama;
+  EXPECT_EQ(losses(scene, "lab"),
+            "error: the course's input.txt format cannot say what this scene's camera is: it knows "
+            "pinholes alone\n");
+}
+
 TEST(Convert, SaysWhatInputTxtLosesAndCannotSay) {
   Scene scene = lab_scene();
   add_sphere(scene, {0, 0, 0}, 1, {});

@@ -138,14 +138,16 @@ inline void expect_equal(const Texture& a, const Texture& b) {
 /// All but the reader's name, and the names of materials, textures and groups, which other formats
 /// do not have.
 inline void expect_equal(const Scene& a, const Scene& b) {
-  EXPECT_TRUE(same_bits(a.camera, b.camera));
+  EXPECT_EQ(a.camera, b.camera);
   EXPECT_EQ(a.resolution.width, b.resolution.width);
   EXPECT_EQ(a.resolution.height, b.resolution.height);
   EXPECT_TRUE(same_bits(a.background, b.background));
   EXPECT_TRUE(same_bits(a.ambient_light, b.ambient_light));
   ASSERT_EQ(a.lights.size(), b.lights.size());
   for (std::size_t i = 0; i < a.lights.size(); ++i)
-    EXPECT_TRUE(same_bits(a.lights[i], b.lights[i])) << "light " << i;
+    EXPECT_EQ(a.lights[i], b.lights[i]) << "light " << i;
+  EXPECT_EQ(a.sky, b.sky);
+  EXPECT_EQ(a.ambient_occlusion, b.ambient_occlusion);
   ASSERT_EQ(a.materials.size(), b.materials.size());
   for (std::size_t i = 0; i < a.materials.size(); ++i)
     EXPECT_EQ(without_hidden(a.materials[i]), without_hidden(b.materials[i])) << "material " << i;

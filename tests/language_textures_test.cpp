@@ -96,8 +96,6 @@ TEST(LanguageTextures, SayWhatIsWrong) {
             "[r, g, b], each 0 or more, one number for grey, or \"#rrggbb\"");
   EXPECT_EQ(first_answer("[material.a]\ndiffuse = {kind = \"checker\", size = 0}\n"),
             "s.toml:2:37: error: size of checker is 0: expected a number greater than 0");
-  EXPECT_EQ(first_answer("[material.a]\nreflection = [1, 0, 0]\n"),
-            "s.toml:2:14: error: a colour for reflection of material a is not built yet");
   EXPECT_EQ(answer_to("[[light]]\nposition = [0, 0, 0]\ncolor = \"red\"\n"),
             "s.toml:3:9: error: color of point light is \"red\": expected a colour: [r, g, b], "
             "each 0 or more, one number for grey, or \"#rrggbb\"\n"
@@ -236,7 +234,7 @@ TEST(LanguageHints, KnowWhatIsMeantAtTheTopOfAFile) {
   EXPECT_EQ(hint("width = 5\n"), "write width = … below [image]");
   EXPECT_EQ(hint("[lights]\n"), "did you mean 'light'?");
   EXPECT_EQ(hint("[bogus]\n"),
-            "sections: image, camera, render, scene, light, texture, material, group, shape");
+            "sections: image, camera, render, texture, scene, light, material, group, shape");
   EXPECT_EQ(hint("[camera]\nfov = 40\n"), "did you mean 'fov_deg'?");
   EXPECT_EQ(hint("[render]\ndepth = 4\n"), "did you mean 'max_depth'?");
 }

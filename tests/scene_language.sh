@@ -115,6 +115,17 @@ cmp -s "$folder/broad.toml" "$folder/again.toml" || fail "the canonical form of 
 [ "$(hash_of "$folder/breadth.toml" --width 80)" = "$(hash_of "$folder/broad.toml" --width 80)" ] || fail "format changes breadth"
 expect 0 "warning: lost in NFF: shapes: instance" "$zraka" convert "$folder/breadth.toml" "$folder/breadth.nff"
 
+# Lights, cameras, optics, sampling and skies: the same.
+for scene in optics views; do
+  cp "fuzz/corpus/scene_language/$scene.toml" "$folder/$scene.toml"
+  exactly 0 "" "$zraka" check "$folder/$scene.toml"
+  "$zraka" format "$folder/$scene.toml" >"$folder/optically.toml" || fail "format of $scene"
+  "$zraka" format "$folder/optically.toml" >"$folder/again.toml" || fail "format of what is formatted"
+  cmp -s "$folder/optically.toml" "$folder/again.toml" || fail "the canonical form of $scene changes"
+done
+expect 0 "warning: lost in NFF: materials: dispersion" "$zraka" convert "$folder/optics.toml" "$folder/optics.nff"
+expect 1 "NFF cannot say what this scene's camera is: it knows pinholes alone" "$zraka" convert "$folder/views.toml" "$folder/views.nff"
+
 # Files that a scene names: in its folder, or outside where that is allowed.
 mkdir -p "$folder/inside"
 printf 'P3 1 1 255 255 0 0\n' | tee "$folder/red.ppm" >"$folder/inside/red.ppm"
@@ -160,12 +171,12 @@ if NODE_PATH=$modules node -e 'require("ajv")' 2>/dev/null && python3 -c 'import
       ' "$folder/schema.json" "$folder/scene.json" >"$folder/words" 2>&1
   }
   "$zraka" convert scenes/nff/benzene.nff "$folder/benzene.toml"
-  for scene in good window formatted unshadowed converted benzene breadth broad; do
+  for scene in good window formatted unshadowed converted benzene breadth broad optics optically views; do
     valid "$folder/$scene.toml" || fail "the schema refuses $scene.toml: $(head -c 500 "$folder/words")"
   done
   # One line of a good scene made wrong, each a way of its own.
   for wrong in 's/radius = 1/radius = 0/' 's/radius = 1/radus = 1/' 's/^radius = 1$//' 's/"sphere"/"torus"/' 's/width = 64/width = 6.5/' \
-    's/"#203040"/"blue"/' 's/samples = 1/samples = 4/' 's/center = .*/center = [1, 2]/' 's/\[scene\]/[scenes]/' 's/name = "ball"/name = 3/' \
+    's/"#203040"/"blue"/' 's/samples = 1/samples = 0/' 's/center = .*/center = [1, 2]/' 's/\[scene\]/[scenes]/' 's/name = "ball"/name = 3/' \
     's/max_depth = 5/max_depth = 201/' 's/caps = false/caps = 0/' 's/look_at = .*/look_at = "here"/'; do
     sed "$wrong" "$folder/good.toml" >"$folder/wrong.toml"
     valid "$folder/wrong.toml" && fail "the schema accepts $wrong"
@@ -177,6 +188,15 @@ if NODE_PATH=$modules node -e 'require("ajv")' 2>/dev/null && python3 -c 'import
     's/^inner_radius = .*/inner_radius = -1/' 's/bump = .*/bump = {height = 1}/' 's/\[0, 1, 1, 3\]\]/[0, 1, 1]]/'; do
     sed "$wrong" "$folder/breadth.toml" >"$folder/wrong.toml"
     cmp -s "$folder/wrong.toml" "$folder/breadth.toml" && fail "nothing is made wrong by $wrong"
+    valid "$folder/wrong.toml" && fail "the schema accepts $wrong"
+    expect 1 "error" "$zraka" check "$folder/wrong.toml"
+  done
+  for wrong in 's/contrast = 0.02/contrast = -1/' 's/\[4, 64\]/[4.5, 64]/' 's/bottom = /button = /' 's/"gradient"/"radient"/' \
+    's/attenuation = .*/attenuation = [0, 0, 0]/' 's/outer_deg = 20/outer_deg = 181/' 's/^center = \[-3, 6, -3\]$//' \
+    's/{abbe = 50}/{abbe = 0}/' 's/{abbe = 50}/{abbe = 50, cauchy = [1, 0, 0]}/' 's/cauchy = \[1.3, /cauchy = [/' 's/"exact"/"exactly"/' \
+    's/priority = 1/priority = 1.5/' 's/"mitchell"/"sinc"/' 's/seed = 7/seed = -7/' 's/aperture = 0.1/aperture = -0.1/'; do
+    sed "$wrong" "$folder/optics.toml" >"$folder/wrong.toml"
+    cmp -s "$folder/wrong.toml" "$folder/optics.toml" && fail "nothing is made wrong by $wrong"
     valid "$folder/wrong.toml" && fail "the schema accepts $wrong"
     expect 1 "error" "$zraka" check "$folder/wrong.toml"
   done

@@ -180,33 +180,6 @@ TEST(SceneLanguage, SuggestsWhatMayBeMeant) {
             "  did you mean 'lab'?\n");
 }
 
-TEST(SceneLanguage, SaysWhatIsNotBuiltYet) {
-  const auto first = [](const std::string& text) {
-    const std::string all = answer(text);
-    return all.substr(0, all.find('\n'));
-  };
-  EXPECT_EQ(first("[camera]\nkind = \"fisheye\"\n"),
-            "s.toml:2:8: error: camera of kind \"fisheye\" is not built yet");
-  EXPECT_EQ(first("[camera]\naperture = 1\n"),
-            "s.toml:2:1: error: aperture of perspective camera is not built yet");
-  EXPECT_EQ(first("[render]\nsamples = 4\n"),
-            "s.toml:2:11: error: samples of render other than 1 is not built yet");
-  EXPECT_EQ(first("[render]\nfilter = \"tent\"\n"),
-            "s.toml:2:10: error: filter of render other than \"box\" is not built yet");
-  EXPECT_EQ(first("[render]\nshadows = \"transparent\"\n"),
-            "s.toml:2:11: error: shadows \"transparent\" of render is not built yet");
-  EXPECT_EQ(first("[scene]\nbackground = {kind = \"gradient\"}\n"),
-            "s.toml:2:14: error: a gradient or an image for background of scene is not built yet");
-  EXPECT_EQ(first("[[light]]\nposition = [0, 0, 0]\nattenuation = [1, 0, 1]\n"),
-            "s.toml:3:15: error: attenuation of point light other than [1, 0, 0] is not built yet");
-  EXPECT_EQ(first("[[light]]\nkind = \"spot\"\n"),
-            "s.toml:2:8: error: light of kind \"spot\" is not built yet");
-  EXPECT_EQ(first("[material.a]\nreflection = [1, 0, 0]\n"),
-            "s.toml:2:14: error: a colour for reflection of material a is not built yet");
-  EXPECT_EQ(first("[material.a]\nabsorption = [0, 0, 1]\n"),
-            "s.toml:2:14: error: absorption of material a other than 0 is not built yet");
-}
-
 TEST(SceneLanguage, SaysWhatIsWrongWithValuesThatDoNotGoTogether) {
   EXPECT_EQ(answer("[image]\nwidth = 100000\nheight = 100000\n"),
             "s.toml:1:1: error: an image of 100000×100000 pixels is too large: expected 134217728 "
@@ -335,7 +308,7 @@ TEST(SceneLanguage, RefusesToWriteWhatItWouldNotRead) {
   EXPECT_EQ(
       to_string(written.error()[0]),
       "error: the scene language cannot say this: reflection of material default is -0.5: expected "
-      "a number, 0 or more, or a texture\n");
+      "a colour: [r, g, b], each 0 or more, one number for grey, or \"#rrggbb\", or a texture\n");
   EXPECT_EQ(to_string(written.error()[1]),
             "error: the scene language cannot say this: radius of sphere is 0: expected a number "
             "greater than 0\n");

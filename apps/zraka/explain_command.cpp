@@ -105,6 +105,7 @@ void add_explain(Command& program) {
   Command app = program.add_command("explain",
                                     "say why a pixel has its colour: its ray tree with every term");
   arguments->add_to(app);
+  arguments->sampling.add_to(app);
   add_mistake_to(app, arguments->mistake);
   constexpr auto kWhole = "a whole number, 0 or more";
   const auto is_whole = [](const std::string& word) { return coordinate(word).has_value(); };

@@ -41,6 +41,7 @@ void print_json(const Rendering& rendering, const Seconds& seconds, const std::s
                        {"shadow", s.rays.shadow},
                        {"reflected", s.rays.reflected},
                        {"refracted", s.rays.refracted}}},
+                     {"samples_per_pixel", s.samples_per_pixel},
                      {"hits", s.rays.hits},
                      {"bytes", {{"scene", s.scene_bytes}, {"accel", s.accel_bytes}}},
                      {"threads", s.threads},
@@ -58,6 +59,7 @@ void print_text(const Rendering& rendering, const Seconds& seconds, const std::s
              grouped(s.rays.camera), grouped(s.rays.shadow), grouped(s.rays.reflected),
              grouped(s.rays.refracted),
              static_cast<double>(s.rays.total()) / s.render_seconds / 1e6);
+  if (s.samples_per_pixel != 1) fmt::print("samples {:.4g} a pixel\n", s.samples_per_pixel);
   fmt::print("hits    {}\n", grouped(s.rays.hits));
   fmt::print("memory  scene {} bytes, acceleration structure {} bytes\n", grouped(s.scene_bytes),
              grouped(s.accel_bytes));
@@ -77,6 +79,7 @@ int run(const Arguments& arguments) {
 
   RenderOptions options = arguments.options(*scene);
   options.terms = terms_of(*stage_named(arguments.stage), *scene);
+  options.crop = arguments.sampling.crop_rect();
   Result<Rendering> rendering;
   const Mistake mistake = mistake_of(arguments.mistake);
   {
@@ -108,6 +111,8 @@ void add_render(Command& program) {
   auto arguments = std::make_shared<Arguments>();
   Command app = program.add_command("render", "render a scene to a picture");
   arguments->add_to(app);
+  arguments->sampling.add_to(app);
+  arguments->sampling.add_crop_to(app);
   add_mistake_to(app, arguments->mistake);
   check_png_name(
       app.add("-o,--output", &arguments->output, "the PNG to write; - is standard output")
@@ -123,7 +128,10 @@ void add_render(Command& program) {
       "  zraka render scenes/lab/input.txt -o picture.png\n"
       "  zraka render input.txt -o shadows.png --stage shadows\n"
       "  zraka render input.txt -o large.png --width 2160 --stats\n"
-      "  zraka render input.txt -o glass.png --profile physical --max-depth 12");
+      "  zraka render input.txt -o glass.png --profile physical --max-depth 12\n"
+      "  zraka render scene.toml -o smooth.png --quality final\n"
+      "  zraka render scene.toml -o edges.png --adaptive 4,64,0.05 --filter mitchell --stats\n"
+      "  zraka render scene.toml -o part.png --samples 16 --crop 100,80,64,64");
   app.action([arguments] { return run(*arguments); });
 }
 

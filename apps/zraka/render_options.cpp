@@ -126,6 +126,7 @@ Result<Scene> RenderArguments::load(const std::vector<std::string>& outputs,
     loaded.resolution = {
         static_cast<std::uint32_t>(std::clamp(std::round(height * aspect), 1.0, 4e9)), height};
   }
+  sampling.apply_to(loaded.defaults);
   return std::move(loaded);
 }
 
@@ -135,7 +136,7 @@ ProfileName RenderArguments::profile_name(const Scene& loaded) const {
 
 Terms terms_of(Stage stage, const Scene& scene) {
   Terms terms = zraka::terms_of(stage);
-  terms.shadows = terms.shadows && scene.defaults.shadows == Shadows::opaque;
+  terms.shadows = terms.shadows && scene.defaults.shadows != Shadows::off;
   return terms;
 }
 
@@ -144,6 +145,10 @@ RenderOptions RenderArguments::options(const Scene& loaded) const {
   options.profile = profile_of(profile_name(loaded));
   options.terms = terms_of(Stage::refraction, loaded);
   options.max_depth = max_depth < 0 ? loaded.defaults.max_depth : max_depth;
+  options.shadows = loaded.defaults.shadows;
+  options.min_contribution = loaded.defaults.min_contribution;
+  options.wavelengths = loaded.defaults.wavelengths;
+  options.sampling = loaded.defaults.sampling;
   options.threads = threads;
   options.bind_threads = true;
   options.tile = tile;

@@ -9,6 +9,7 @@
 #include <zraka/school/school.hpp>
 
 #include "command.hpp"
+#include "sampling_options.hpp"
 
 namespace zraka::app {
 
@@ -24,16 +25,17 @@ struct RenderArguments {
   std::string isa;
   bool quiet = false;
   ReadOptions files;
+  SamplingArguments sampling;           // for commands that add them
 
   void add_to(Command& command, Needs scene_needed = Needs::always);
 
-  /// The scene with the size that was asked for; its warnings have been shown. Fails where an
+  /// The scene with the size and the sampling that were asked for; its warnings have been shown. Fails where an
   /// output would be written over what is read, or over another output.
   Result<Scene> load(const std::vector<std::string>& outputs,
                      std::vector<std::string> other_inputs = {}) const;
   /// The profile asked for, or the scene's.
   ProfileName profile_name(const Scene& scene) const;
-  /// All but progress; the terms are those of all stages.
+  /// All but progress and crop; the terms are those of all stages.
   RenderOptions options(const Scene& scene) const;
 };
 

@@ -109,6 +109,7 @@ void add_stages(Command& program) {
   Command app = program.add_command(
       "stages", "render the lab's seven stages, the differences between them, and a contact sheet");
   arguments->add_to(app);
+  arguments->sampling.add_to(app);
   add_mistake_to(app, arguments->mistake);
   app.add("-o,--output", &arguments->folder, "the folder for the pictures; made if it is not there")
       .required();

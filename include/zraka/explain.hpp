@@ -224,8 +224,9 @@ class Explainer {
   ~Explainer();
 
   /// Column x, row y from the picture's upper left corner. Fails outside of the picture, and where
-  /// a tree has more rays or terms than kMaxExplainedRays and kMaxExplainedTerms.
-  Result<Explanation> pixel(std::uint32_t x, std::uint32_t y);
+  /// a tree has more rays or terms than kMaxExplainedRays and kMaxExplainedTerms. Of a picture with
+  /// several samples a pixel it is the tree of one of them.
+  Result<Explanation> pixel(std::uint32_t x, std::uint32_t y, std::uint32_t sample = 0);
 
   /// A square of at most side×side pixels, 1 ≤ side < kMaxTile, around a pixel of the picture, in
   /// its middle where the picture's edges leave room.

@@ -17,6 +17,7 @@ inline constexpr std::uint64_t kMaxExplainedTerms = std::uint64_t{1} << 18;
 /// occlusion.
 inline constexpr int kMaxWavelengths = 64;
 inline constexpr int kMaxSamples = 65536;
+inline constexpr int kMaxGrid = 256;  ///< whose square they are
 /// The largest side of a tile, in pixels.
 inline constexpr int kMaxTile = 64;
 /// Instances of groups that hold instances: how many deep.

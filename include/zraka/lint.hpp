@@ -7,9 +7,10 @@
 
 namespace zraka {
 
-/// Warnings about what is seldom meant: materials that give back more light than they get, an eye
-/// or a light inside a sphere, shapes too small beside the scene for floats, no light, nothing in
-/// view. Of each kind the first few, then a count.
+/// Warnings about what is seldom meant: materials that give back more light than they get or whose
+/// optics change nothing, an eye or a light inside a closed body, spheres and boxes that overlap
+/// where priorities do not say which one counts, soft lights of one sample, shapes too small beside
+/// the scene for floats, no light, nothing in view. Of each kind the first few, then a count.
 Diagnostics lint(const Scene& scene);
 
 }  // namespace zraka

@@ -62,6 +62,12 @@ std::optional<Isa> isa_named(std::string_view name);
 /// Those that this build and this machine have, the fastest first; never empty, never `oracle`.
 std::vector<Isa> available_isas();
 
+/// Columns [x, x + width), rows [y, y + height).
+struct PixelRect {
+  std::uint32_t x = 0, y = 0, width = 0, height = 0;
+  friend bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+
 struct RenderOptions {
   Terms terms{};
   Profile profile = profile_of(ProfileName::physical);
@@ -70,6 +76,8 @@ struct RenderOptions {
   double min_contribution = 0;        ///< RenderDefaults::min_contribution
   int wavelengths = 12;               ///< 1…kMaxWavelengths
   Sampling sampling{};
+  /// Only this part of the picture, with the bits that the whole one has there.
+  std::optional<PixelRect> crop{};
   int threads = 0;    ///< 0: as many as the machine has
   /// May each thread, the caller's too, be bound to a processor while it works? Faster in a program
   /// that does nothing else meanwhile.
@@ -95,6 +103,7 @@ struct RenderStats {
   double build_seconds = 0;  ///< from scene to what the engine reads
   double render_seconds = 0;
   RayCounts rays;
+  double samples_per_pixel = 1;  ///< on average
   std::uint64_t scene_bytes = 0;
   std::uint64_t accel_bytes = 0;
   int threads = 0;
@@ -105,11 +114,13 @@ struct RenderStats {
 
 struct Rendering {
   Image image;
+  /// How many samples each pixel has had, row by row; empty where all have had as many.
+  std::vector<std::uint32_t> samples;
   RenderStats stats;
 };
 
-/// Renders a scene. The picture's bits depend on scene, terms, profile and depth, and on nothing
-/// else. Fails on options out of range, an instruction set that is not there, a scene that is
+/// Renders a scene. The picture's bits depend on scene, terms, profile, depth and sampling, and on
+/// nothing else; a crop has those of its part. Fails on options out of range, an instruction set that is not there, a scene that is
 /// inconsistent (see check()), and on cancellation.
 Result<Rendering> render(const Scene& scene, const RenderOptions& options = {});
 /// The same for a scene that nobody needs any more: its memory is free before the hierarchy's is

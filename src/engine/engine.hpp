@@ -197,6 +197,11 @@ using RecordTile = void(const FrozenScene<R>& scene, const TraceSettings& settin
                         const TileRect& tile, Workspace<R>& workspace, RayCounts& counts,
                         float* pixels, std::size_t stride, Recording<R>& recording);
 
+/// trace_rays() of a Kernel that tells its terms, too.
+template <class R>
+using RecordRays = void(const FrozenScene<R>& scene, const TraceSettings& settings,
+                        Workspace<R>& workspace, RayCounts& counts, Recording<R>& recording);
+
 // Defined by kernel.cpp, once per instruction set that the build has; and by record_kernel.cpp.
 namespace isa_avx512 {
 extern const Services<float> kServices;
@@ -210,6 +215,7 @@ namespace isa_portable {
 extern const Services<float> kServices;
 extern const Kernel<float> kKernel;
 RecordTile<float> record_tile;
+RecordRays<float> record_rays;
 }  // namespace isa_portable
 namespace isa_oracle {
 extern const Services<double> kServices;

@@ -12,4 +12,11 @@ void record_tile(const FrozenScene<float>& scene, const TraceSettings& settings,
                         Record<WideLanes>(recording));
 }
 
+void record_rays(const FrozenScene<float>& scene, const TraceSettings& settings,
+                 Workspace<float>& workspace, RayCounts& counts, Recording<float>& recording) {
+  workspace.levels[0].done = 0;
+  counts.camera += static_cast<std::uint64_t>(workspace.levels[0].ray_count);
+  trace_trees<WideLanes>(scene, settings, workspace, counts, Record<WideLanes>(recording));
+}
+
 }  // namespace zraka::ZRAKA_ISA

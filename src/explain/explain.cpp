@@ -23,7 +23,8 @@ Float3 float3(const V3<float>& v) {
 constexpr int kLevelsBeyond = 2;
 
 /// Finds out what the rays would bring that the depth cuts off.
-void look_beyond(const Stand& stand, std::uint32_t x, std::uint32_t y, RayTree& tree) {
+void look_beyond(const Stand& stand, std::uint32_t x, std::uint32_t y, std::uint32_t sample,
+                 RayTree& tree) {
   const auto is_cut = [](const ExplainedRay& ray, const Child& child, float share) {
     return child.absence == Absence::depth &&
            std::fabs(ray.weight * static_cast<double>(share)) >= kNotableWeight;
@@ -36,7 +37,7 @@ void look_beyond(const Stand& stand, std::uint32_t x, std::uint32_t y, RayTree& 
   TraceSettings settings = stand.settings;
   settings.max_depth += kLevelsBeyond;
   // Its first levels are the same rays in the same order. One that is too large says nothing.
-  const Result<RayTree> deeper = read_tree(stand, settings, x, y);
+  const Result<RayTree> deeper = read_tree(stand, settings, x, y, sample);
   if (!deeper) return;
   for (std::size_t r = 0; r < tree.rays.size(); ++r) {
     if (!tree.rays[r].hit) continue;
@@ -50,8 +51,9 @@ void look_beyond(const Stand& stand, std::uint32_t x, std::uint32_t y, RayTree& 
   }
 }
 
-/// All of a pixel: one tree, or those of its four corners and their mean.
-Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_t y) {
+/// All of a pixel: one tree, or those of its four corners and their mean; or one sample.
+Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_t y,
+                               std::uint32_t sample) {
   Explanation explanation{.x = x,
                           .y = y,
                           .resolution = stand.scene.resolution,
@@ -69,12 +71,12 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
   explanation.brightest = stand.settings.brightest;
   explanation.wavelengths = stand.settings.wavelengths.count;
   explanation.transparent_shadows = stand.settings.transparent_shadows;
-  const std::uint32_t corners = stand.options.profile.average_corners ? 2 : 1;
+  const std::uint32_t corners = stand.plain() && stand.options.profile.average_corners ? 2 : 1;
   for (std::uint32_t j = 0; j < corners; ++j)
     for (std::uint32_t i = 0; i < corners; ++i) {
-      Result<RayTree> tree = read_tree(stand, stand.settings, x + i, y + j);
+      Result<RayTree> tree = read_tree(stand, stand.settings, x + i, y + j, sample);
       if (!tree) return tl::make_unexpected(tree.error());
-      look_beyond(stand, x + i, y + j, *tree);
+      look_beyond(stand, x + i, y + j, sample, *tree);
       explanation.trees.push_back(std::move(*tree));
     }
   explanation.color = explanation.trees[0].rays[0].color;
@@ -91,6 +93,14 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
     std::copy_n(pixel.pixels.begin(), 3, explanation.color.begin());
   }
   return explanation;
+}
+
+/// How many samples a pixel may have.
+std::uint32_t most_samples(const Sampling& sampling) {
+  const auto count = static_cast<std::uint32_t>(sampling.count);
+  return sampling.kind == Sampling::Kind::grid       ? count * count
+         : sampling.kind == Sampling::Kind::adaptive ? static_cast<std::uint32_t>(sampling.most)
+                                                     : count;
 }
 
 Stand stand_for(const Scene& scene, RenderOptions options, Isa isa, const Variation& variation) {
@@ -128,15 +138,21 @@ Result<Explainer> varied_explainer(const Scene& scene, const RenderOptions& opti
                                    const Variation& variation) {
   const Result<Isa> isa = isa_to_listen_to(scene, options);
   if (!isa) return tl::make_unexpected(isa.error());
+  RenderOptions asked = options;
+  if (variation.kernel != nullptr) {
+    asked.sampling = {};
+    if (const Result<void> good = check_lesson(scene); !good)
+      return tl::make_unexpected(good.error());
+  }
   try {
     return Explainer(std::unique_ptr<Explainer::Impl>(
-        new Explainer::Impl{stand_for(scene, options, *isa, variation)}));
+        new Explainer::Impl{stand_for(scene, asked, *isa, variation)}));
   } catch (const std::bad_alloc&) {
     return failure("", fmt::format("not enough memory for {} shapes", scene.shape_count()));
   }
 }
 
-Result<Explanation> Explainer::pixel(std::uint32_t x, std::uint32_t y) {
+Result<Explanation> Explainer::pixel(std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
   const Resolution size = impl_->stand.scene.resolution;
   if (x >= size.width || y >= size.height)
     return failure("",
@@ -145,8 +161,10 @@ Result<Explanation> Explainer::pixel(std::uint32_t x, std::uint32_t y) {
                    fmt::format("columns go from 0 to {} from the left, rows from 0 to {} from the "
                                "top",
                                size.width - 1, size.height - 1));
+  if (const std::uint32_t samples = most_samples(impl_->stand.options.sampling); sample >= samples)
+    return failure("", fmt::format("sample {} is out of range: 0 to {}", sample, samples - 1));
   try {
-    return read_pixel(impl_->stand, x, y);
+    return read_pixel(impl_->stand, x, y, sample);
   } catch (const std::bad_alloc&) {
     return failure("", fmt::format("not enough memory for the ray tree of pixel ({}, {})", x, y),
                    "ask for fewer levels with a smaller depth");
@@ -162,6 +180,14 @@ Neighbourhood Explainer::around(std::uint32_t x, std::uint32_t y, std::uint32_t 
   };
   const std::uint32_t corner = stand.options.profile.average_corners ? 1 : 0;
   Neighbourhood found{start(x, size.width), start(y, size.height), {}};
+  if (!stand.plain()) {
+    RenderOptions options = stand.options;
+    options.crop = {found.left, found.top, std::min(side, size.width), std::min(side, size.height)};
+    options.progress = {};
+    if (Result<Rendering> rendering = render(stand.scene, options))
+      found.image = std::move(rendering->image);
+    return found;
+  }
   Image rays(std::min(side, size.width) + corner, std::min(side, size.height) + corner);
   const TileRect tile{static_cast<std::int32_t>(found.left), static_cast<std::int32_t>(found.top),
                       static_cast<std::int32_t>(rays.width),

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
-#include "engine/coefficients.hpp"
 #include "engine/general/steps.hpp"
 #include "explain/hit_reader.hpp"
+#include "render/sample_rays.hpp"
 #include "render/tracer.hpp"
 
 namespace zraka {
@@ -32,8 +32,10 @@ class GeneralReader final : public general::Listener<float> {
     memory_.general->workspace().listener = this;
   }
 
+  /// Puts a sample's ray to where read() takes it from. False if there is none.
+  bool place_sample(const CameraSample& sample);
   /// False if the tree does not fit.
-  bool read(const CameraSample& sample);
+  bool read();
 
   RayTree& tree() { return tree_; }
   const TooLarge& too_large() const { return too_large_; }
@@ -87,21 +89,16 @@ class GeneralReader final : public general::Listener<float> {
   TooLarge too_large_;
 };
 
-void put_camera_ray(const Stand& stand, const CameraSample& sample, Workspace<float>& workspace) {
-  const FrozenCamera<float>& c = stand.frozen().camera;
-  RayArrays<float>& rays = workspace.levels[0].rays;
-  workspace.samples[0] = sample;
-  V3<float> d = (c.first + c.down * static_cast<float>(sample.y)) + c.right * static_cast<float>(sample.x);
-  d = d * (1 / std::sqrt(dot(d, d)));
-  rays.ox[0] = c.eye.x, rays.oy[0] = c.eye.y, rays.oz[0] = c.eye.z;
-  rays.dx[0] = d.x, rays.dy[0] = d.y, rays.dz[0] = d.z;
-  workspace.levels[0].ray_count = 1;
-  if (stand.frozen().textures != nullptr) start_cones(c, workspace.levels[0]);
+bool GeneralReader::place_sample(const CameraSample& sample) {
+  const SampleRays<float> samples(stand_.frozen().camera, stand_.options.profile,
+                                  stand_.options.sampling, stand_.frozen().textures != nullptr);
+  memory_.workspace().levels[0].ray_count = 1;
+  return samples.make(sample.x, sample.y, sample.number, memory_.workspace(), 0) !=
+         SampleRays<float>::Made::nothing;
 }
 
-bool GeneralReader::read(const CameraSample& sample) {
+bool GeneralReader::read() {
   RayCounts counts;
-  put_camera_ray(stand_, sample, memory_.workspace());
   trace_rays(*stand_.kernel, stand_.frozen(), settings_, memory_, counts);
   return !stop;
 }
@@ -308,7 +305,8 @@ std::optional<RayTree> read_general_tree(const Stand& stand, const TraceSettings
                                          const CameraSample& sample, std::int32_t batch,
                                          TooLarge& too_large) {
   GeneralReader reader(stand, settings, batch);
-  if (reader.read(sample)) return std::move(reader.tree());
+  if (!reader.place_sample(sample)) return RayTree();
+  if (reader.read()) return std::move(reader.tree());
   too_large = reader.too_large();
   return std::nullopt;
 }

@@ -12,6 +12,7 @@
 #include "explain/recording.hpp"
 #include "explain/shape_lookup.hpp"
 #include "explain/tile_listeners.hpp"
+#include "render/variation.hpp"
 #include "render/workspace.hpp"
 
 namespace zraka {
@@ -256,6 +257,7 @@ Result<Influence> influence(const Scene& scene, const RenderOptions& options,
                             const ShapeInScene& shape) {
   if (const Result<Isa> isa = isa_to_listen_to(scene, options); !isa)
     return tl::make_unexpected(isa.error());
+  if (const Result<void> good = check_lesson(scene); !good) return tl::make_unexpected(good.error());
   try {
     const PreparedScene<float> prepared = prepare<float>(scene, options);
     const FrozenScene<float>& frozen = prepared.store->scene;

@@ -22,9 +22,22 @@ class TreeReader {
         terms_(batch, *this, true),
         first_(static_cast<std::size_t>(settings.max_depth) + 2) {}
 
+  /// Puts a sample's ray to where read() takes it from. False if there is none.
+  bool place_sample(std::int32_t x, std::int32_t y, std::uint32_t sample) {
+    const SampleRays<float> samples(stand_.frozen().camera, stand_.options.profile,
+                                    stand_.options.sampling, stand_.frozen().textures != nullptr);
+    workspace_.workspace().levels[0].ray_count = 1;
+    return samples.make(x, y, sample, workspace_.workspace(), 0) !=
+           SampleRays<float>::Made::nothing;
+  }
+
   /// False if the tree does not fit.
   bool read(const TileRect& pixel) {
     RayCounts counts;
+    if (!stand_.plain()) {
+      record_rays()(stand_.frozen(), settings_, workspace_.workspace(), counts, terms_.recording());
+      return !terms_.recording().stop;
+    }
     Float3 ignored{};
     (stand_.variation.record == nullptr ? record_tile() : *stand_.variation.record)(
         stand_.frozen(), settings_, pixel, workspace_.workspace(), counts, ignored.data(), 1,
@@ -225,17 +238,24 @@ void TreeReader::at_fold(const Level<float>& level) {
 }  // namespace
 
 Result<RayTree> read_tree(const Stand& stand, const TraceSettings& settings, std::uint32_t x,
-                          std::uint32_t y) {
+                          std::uint32_t y, std::uint32_t sample) {
   const TileRect pixel{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), 1, 1};
   TooLarge too_large;
+  const auto nothing = [&] {
+    return failure("", fmt::format("the camera sees nothing at pixel ({}, {})", x, y),
+                   "a fisheye camera sees up to half a turn from its view");
+  };
   for (std::int32_t batch = 64; batch <= kMaxExplainedRays; batch *= 16) {
     if (stand.frozen().optics != nullptr) {
-      if (std::optional<RayTree> tree =
-              read_general_tree(stand, settings, {pixel.x, pixel.y, 0}, batch, too_large))
-        return std::move(*tree);
-      continue;
+      std::optional<RayTree> tree =
+          read_general_tree(stand, settings, {pixel.x, pixel.y, sample}, batch, too_large);
+      if (!tree) continue;
+      if (tree->rays.empty()) return nothing();
+      return std::move(*tree);
     }
     TreeReader reader(stand, settings, batch);
+    if (!stand.plain() && !reader.place_sample(pixel.x, pixel.y, sample))
+      return nothing();
     if (!reader.read(pixel)) {
       too_large = reader.too_large();
       continue;

@@ -11,6 +11,7 @@
 #include "explain/shape_lookup.hpp"
 #include "render/isa.hpp"
 #include "render/prepare.hpp"
+#include "render/sample_rays.hpp"
 #include "render/variation.hpp"
 
 namespace zraka {
@@ -25,6 +26,8 @@ struct Stand {
   Variation variation;
 
   const FrozenScene<float>& frozen() const { return prepared.store->scene; }
+  /// Whether pixels are rays from the eye through their places, one or four; else they are samples.
+  bool plain() const { return is_plain(frozen(), options.sampling); }
   NamedShape named(std::int32_t slot) const {
     return zraka::named(scene, shape_in_slot(scene, frozen(), slot));
   }
@@ -52,9 +55,9 @@ struct TooLarge {
   std::uint64_t terms = 0;                     ///< of light, if they are what is too much
 };
 
-/// The tree of the ray through a corner or the centre of a pixel, to the depth of the settings.
-/// Fails where it is too large.
+/// The tree of the ray through a corner or the centre of a pixel, or of one of its samples where it
+/// has some, to the depth of the settings. Fails where it is too large, or there is no ray.
 Result<RayTree> read_tree(const Stand& stand, const TraceSettings& settings, std::uint32_t x,
-                          std::uint32_t y);
+                          std::uint32_t y, std::uint32_t sample);
 
 }  // namespace zraka

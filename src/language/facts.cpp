@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace zraka::language {
 namespace {
 
@@ -80,7 +82,8 @@ std::string place_of_field(std::string_view word, const std::vector<Topic>& all,
     if (topic.section->form != Section::Form::one) continue;
     for (const Table* table : tables_of(topic))
       for (const Field& field : table->fields)
-        keys.push_back(field.key), sections.push_back(topic.section);
+        if (std::find(keys.begin(), keys.end(), field.key) == keys.end())
+          keys.push_back(field.key), sections.push_back(topic.section);
   }
   const std::string hint = problems.hint_at(word, keys, "");
   for (std::size_t i = 0; i < keys.size(); ++i)

@@ -68,9 +68,15 @@ std::string glasses_page() {
       "`dispersion`. V is Abbe's number, (n_d - 1)/(n_F - n_C). This page is made by\n"
       "`zraka help --pages docs/scene-language`.\n\n"
       "| Name | n_d | V | Formula | Coefficients (λ in µm) | Source |\n|---|---|---|---|---|---|\n";
-  for (const Glass& glass : glasses()) {
+  const std::span<const Glass> all = glasses();
+  for (std::size_t i = 0, next = 0; i < all.size(); i = next) {
+    // Several names of one stand in one row.
+    const Glass& glass = all[i];
+    std::string names;
+    for (; next < all.size() && all[next].dispersion == glass.dispersion; ++next)
+      names += fmt::format("{}{}", names.empty() ? "" : ", ", all[next].name);
     const bool cauchy = glass.dispersion.kind == Dispersion::Kind::cauchy;
-    out += fmt::format("| {} | {:.5f} | {:.2f} | {} | {} | {} |\n", glass.name, glass.ior(),
+    out += fmt::format("| {} | {:.5f} | {:.2f} | {} | {} | {} |\n", names, glass.ior(),
                        abbe_number(glass.dispersion, 1), cauchy ? "Cauchy" : "Sellmeier",
                        fmt::join(std::span(glass.dispersion.numbers).first(cauchy ? 3 : 6), ", "),
                        glass.source);

@@ -91,4 +91,8 @@ RecordTile<float>& record_tile() {
   return isa_portable::record_tile;
 }
 
+RecordRays<float>& record_rays() {
+  return isa_portable::record_rays;
+}
+
 }  // namespace zraka

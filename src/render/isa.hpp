@@ -16,5 +16,6 @@ Result<Isa> choose_isa(std::optional<Isa> wanted);
 const Kernel<float>& kernel_of(Isa isa);
 /// The engine that tells its terms; its bits are those of all sets.
 RecordTile<float>& record_tile();
+RecordRays<float>& record_rays();
 
 }  // namespace zraka

@@ -19,6 +19,37 @@ constexpr std::uint64_t kFewShapes = 16, kFewBodies = 1;
 
 }  // namespace
 
+namespace {
+
+/// Words for what is wrong with sampling, and "" if nothing is.
+std::string problem_with(const Sampling& sampling) {
+  const int most = sampling.kind == Sampling::Kind::grid ? kMaxGrid : kMaxSamples;
+  if (sampling.count < 1 || sampling.count > most)
+    return fmt::format("{} {} is out of range: 1 to {}",
+                       sampling.kind == Sampling::Kind::grid ? "grid" : "number of samples",
+                       sampling.count, most);
+  if (sampling.kind != Sampling::Kind::adaptive) return "";
+  if (sampling.most < sampling.count || sampling.most > kMaxSamples)
+    return fmt::format("greatest number of samples {} is out of range: {} to {}", sampling.most,
+                       sampling.count, kMaxSamples);
+  if (!(sampling.contrast >= 0 && sampling.contrast <= 1))
+    return fmt::format("contrast {} is out of range: 0 to 1", sampling.contrast);
+  return "";
+}
+
+/// The same of a crop.
+std::string problem_with(const PixelRect& crop, const Resolution& size) {
+  if (crop.width == 0 || crop.height == 0) return "the crop has no pixels";
+  if (std::uint64_t{crop.x} + crop.width > size.width ||
+      std::uint64_t{crop.y} + crop.height > size.height)
+    return fmt::format("the crop of {}×{} pixels from ({}, {}) on is not within the picture of "
+                       "{}×{} pixels",
+                       crop.width, crop.height, crop.x, crop.y, size.width, size.height);
+  return "";
+}
+
+}  // namespace
+
 Diagnostics check_request(const Scene& scene, const RenderOptions& options) {
   Diagnostics found;
   const auto in_range = [&](const char* what, int value, int low, int high) {
@@ -27,27 +58,17 @@ Diagnostics check_request(const Scene& scene, const RenderOptions& options) {
           {.message = fmt::format("{} {} is out of range: {} to {}", what, value, low, high)});
   };
   in_range("depth", options.max_depth, 0, kMaxDepth);
-  const auto at_least_0 = [&](const char* what, double value) {
-    if (!std::isfinite(value) || value < 0)
-      found.push_back({.message = fmt::format("{} {} is out of range: 0 or more", what, value)});
-  };
-  at_least_0("least contribution", options.min_contribution);
-  in_range("number of wavelengths", options.wavelengths, 1, kMaxWavelengths);
-  const Sampling& sampling = options.sampling;
-  constexpr int kMaxGrid = 256;
-  static_assert(kMaxGrid * kMaxGrid == kMaxSamples);
-  if (sampling.kind == Sampling::Kind::grid) {
-    in_range("number of samples in a row", sampling.count, 1, kMaxGrid);
-  } else {
-    in_range("number of samples", sampling.count, 1, kMaxSamples);
-  }
-  if (sampling.kind == Sampling::Kind::adaptive) {
-    in_range("most samples", sampling.most, std::clamp(sampling.count, 1, kMaxSamples),
-             kMaxSamples);
-    at_least_0("contrast", sampling.contrast);
-  }
   in_range("number of threads", options.threads, 0, kMaxThreads);
   in_range("tile side", options.tile, 0, kMaxTile);
+  in_range("number of wavelengths", options.wavelengths, 1, kMaxWavelengths);
+  if (!(options.min_contribution >= 0 && std::isfinite(options.min_contribution)))
+    found.push_back({.message = fmt::format("least contribution {} is out of range: 0 or more",
+                                            options.min_contribution)});
+  if (std::string problem = problem_with(options.sampling); !problem.empty())
+    found.push_back({.message = std::move(problem)});
+  if (options.crop)
+    if (std::string problem = problem_with(*options.crop, scene.resolution); !problem.empty())
+      found.push_back({.message = std::move(problem)});
   for (Diagnostic& problem : check(scene)) found.push_back(std::move(problem));
   return found;
 }

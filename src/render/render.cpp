@@ -6,23 +6,20 @@
 #include <tbb/info.h>
 
 #include <algorithm>
-#include <cmath>
 #include <chrono>
 #include <optional>
-#include <type_traits>
 #include <vector>
 #include <zraka/render.hpp>
 
 #include "core/spread.hpp"
 #include "render/corners.hpp"
 #include "render/isa.hpp"
+#include "render/picture_job.hpp"
 #include "render/prepare.hpp"
-#include "render/screen_bounds.hpp"
+#include "render/render_samples.hpp"
+#include "render/sample_rays.hpp"
 #include "render/tiles.hpp"
 #include "render/variation.hpp"
-#include "engine/coefficients.hpp"
-#include "engine/tile_order.hpp"
-#include "render/tracer.hpp"
 #include "render/workspace.hpp"
 
 namespace zraka {
@@ -35,25 +32,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void add(RayCounts& sum, const RayCounts& more) {
-  sum.camera += more.camera;
-  sum.shadow += more.shadow;
-  sum.reflected += more.reflected;
-  sum.refracted += more.refracted;
-  sum.hits += more.hits;
-  sum.cut += more.cut;
-}
-
 template <class R>
 struct Worker {
-  TracerMemory<R> memory;
+  WorkspaceMemory<R> memory;
   RayCounts counts;
-  double most_cut = 0, all_cut = 0;
 };
-
-std::uint64_t area_of(const TileRect& rect) {
-  return static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
-}
 
 float* pixel_of(Image& image, std::int32_t x, std::int32_t y) {
   return image.row(static_cast<std::uint32_t>(y)) + 3 * x;
@@ -74,89 +57,54 @@ void fill_around(const TileRect& part, const TileRect& tile, const std::vector<f
   }
 }
 
+/// Renders a picture with one ray a pixel, from the eye. False if it was cancelled.
 template <class R>
-void trace_tile_generally(const Kernel<R>& kernel, const FrozenScene<R>& scene,
-                          const TraceSettings& settings, const TileRect& tile,
-                          Worker<R>& worker, RayCounts& counts, Image& image) {
-  TracerMemory<R>& memory = worker.memory;
-  Workspace<R>& workspace = memory.workspace();
-  RayArrays<R>& rays = workspace.levels[0].rays;
-  std::size_t i = 0;
-  const FrozenCamera<R>& c = scene.camera;
-  each_pixel(tile, [&](std::int32_t x, std::int32_t y) {
-    workspace.samples[i] = {tile.x + x, tile.y + y, 0};
-    V3<R> d = (c.first + c.down * static_cast<R>(tile.y + y)) + c.right * static_cast<R>(tile.x + x);
-    d = d * (R(1) / std::sqrt(dot(d, d)));
-    rays.ox[i] = c.eye.x, rays.oy[i] = c.eye.y, rays.oz[i] = c.eye.z;
-    rays.dx[i] = d.x, rays.dy[i] = d.y, rays.dz[i] = d.z;
-    ++i;
-  });
-  workspace.levels[0].ray_count = static_cast<std::int32_t>(i);
-  if (scene.textures != nullptr) start_cones(scene.camera, workspace.levels[0]);
-  trace_rays(kernel, scene, settings, memory, counts);
-  i = 0;
-  each_pixel(tile, [&](std::int32_t x, std::int32_t y) {
-    float* const out = pixel_of(image, tile.x + x, tile.y + y);
-    out[0] = static_cast<float>(rays.r[i]), out[1] = static_cast<float>(rays.g[i]);
-    out[2] = static_cast<float>(rays.b[i]);
-    const auto cut = static_cast<double>(memory.general->workspace().rays[0][i].cut);
-    worker.most_cut = std::max(worker.most_cut, cut);
-    worker.all_cut += cut;
-    ++i;
-  });
-}
-
-/// Renders all tiles of a frozen scene. False if it was cancelled.
-template <class R>
-bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
-                  const TraceSettings& settings, const RenderOptions& options, int tile,
-                  int threads, Rendering& rendering) {
+bool render_tiles(const PictureJob<R>& job, Rendering& rendering) {
+  const FrozenScene<R>& scene = job.scene;
   Image& image = rendering.image;
-  // The oracle asks with every ray, and so do varied rules, which may be about what rays hit.
-  std::optional<ScreenBounds> bounds;
+  const std::optional<ScreenBounds> bounds = job.bounds();
   std::vector<float> background;
-  if constexpr (std::is_same_v<R, float>)
-    if (settings.variation == 0 && scene.optics == nullptr) {
-      bounds.emplace(scene, image.width, image.height);
-      const V3<float>& color = scene.background;
-      for (int i = 0; i < tile; ++i)
-        background.insert(background.end(), {color.x, color.y, color.z});
-    }
+  for (int i = 0; i < job.tile; ++i)
+    background.insert(background.end(), {static_cast<float>(scene.background.x),
+                                         static_cast<float>(scene.background.y),
+                                         static_cast<float>(scene.background.z)});
   tbb::enumerable_thread_specific<Worker<R>> workers([&] {
-    return Worker<R>{TracerMemory<R>(tile * tile, scene, settings), {}};
+    return Worker<R>{WorkspaceMemory<R>(job.tile * job.tile, job.settings.max_depth,
+                                        scene.textures != nullptr),
+                     {}};
   });
-  std::atomic<std::uint64_t> pixels_done{0}, rays_done{0};
-  const auto render_tile = [&](const TileRect& rect) {
+  const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
+  WorkProgress progress(job.options, pixels, pixels);
+  const auto in_image = [&](TileRect rect) {
+    return TileRect{rect.x - job.part.x, rect.y - job.part.y, rect.width, rect.height};
+  };
+  const auto render_tile = [&](const TileRect& tile) {
+    const TileRect rect{tile.x + job.part.x, tile.y + job.part.y, tile.width, tile.height};
     Worker<R>& worker = workers.local();
     RayCounts counts;
     const TileRect part = bounds ? bounds->part_of(rect) : rect;
-    if (scene.optics != nullptr)
-      trace_tile_generally(kernel, scene, settings, part, worker, counts, image);
-    else if (area_of(part) != 0)
-      kernel.trace_tile(scene, settings, part, worker.memory.workspace(), counts,
-                        pixel_of(image, part.x, part.y), image.width);
+    if (area_of(part) != 0)
+      job.kernel.trace_tile(scene, job.settings, part, worker.memory.workspace(), counts,
+                            pixel_of(image, in_image(part).x, in_image(part).y), image.width);
     if (area_of(part) != area_of(rect)) {
-      fill_around(part, rect, background, image);
+      fill_around(in_image(part), tile, background, image);
       counts.camera += area_of(rect) - area_of(part);  // they have been answered, too
     }
     add(worker.counts, counts);
-    if (options.progress) {
-      const std::uint64_t area = area_of(rect);
-      const std::uint64_t pixels = pixels_done.fetch_add(area) + area;
-      const std::uint64_t rays = rays_done.fetch_add(counts.total()) + counts.total();
-      options.progress(pixels, std::uint64_t{image.width} * image.height, rays);
-    }
+    progress.add(area_of(rect), counts.total());
   };
-  const bool complete = each_tile(image.width, image.height, tile, threads, options.bind_threads,
-                                  options.cancel, render_tile);
-  double all_cut = 0;
-  for (const Worker<R>& worker : workers) {
-    add(rendering.stats.rays, worker.counts);
-    rendering.stats.most_cut = std::max(rendering.stats.most_cut, worker.most_cut);
-    all_cut += worker.all_cut;
-  }
-  rendering.stats.mean_cut = all_cut / static_cast<double>(std::uint64_t{image.width} * image.height);
+  const bool complete = each_tile(image.width, image.height, job.tile, job.threads,
+                                  job.options.bind_threads, job.options.cancel, render_tile);
+  for (const Worker<R>& worker : workers) add(rendering.stats.rays, worker.counts);
   return complete;
+}
+
+/// The part of the picture that is asked for.
+TileRect part_of(const RenderOptions& options, const Resolution& resolution) {
+  const PixelRect all{0, 0, resolution.width, resolution.height};
+  const PixelRect part = options.crop.value_or(all);
+  return {static_cast<std::int32_t>(part.x), static_cast<std::int32_t>(part.y),
+          static_cast<std::int32_t>(part.width), static_cast<std::int32_t>(part.height)};
 }
 
 template <class R, class SceneRef>
@@ -171,15 +119,19 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   rendering.stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node) +
                                 prepared.hierarchy.rank.size() * sizeof(std::int32_t);
 
+  const FrozenScene<R>& frozen = prepared.store->scene;
+  const TraceSettings settings = settings_of(options, prepared, variation);
+  const bool plain = is_plain(frozen, options.sampling);
+  const bool corners = plain && options.profile.average_corners;
+  PictureJob<R> job{frozen,     kernel, settings, options, resolution, part_of(options, resolution),
+                    tile, threads};
+  if (corners) ++job.part.width, ++job.part.height;
   // Not before: while a scene is frozen, memory is fullest.
-  const std::uint32_t more = options.profile.average_corners ? 1 : 0;
-  rendering.image = Image(resolution.width + more, resolution.height + more);
+  rendering.image = Image(static_cast<std::uint32_t>(job.part.width),
+                          static_cast<std::uint32_t>(job.part.height));
   const auto traced = std::chrono::steady_clock::now();
-  const bool complete =
-      render_tiles(prepared.store->scene, kernel, settings_of(options, prepared, variation),
-                   options, tile, threads, rendering);
-  if (complete && options.profile.average_corners)
-    rendering.image = means_of_corners(std::move(rendering.image));
+  const bool complete = plain ? render_tiles(job, rendering) : render_samples(job, rendering);
+  if (complete && corners) rendering.image = means_of_corners(std::move(rendering.image));
   rendering.stats.render_seconds = seconds_since(traced);
   return complete;
 }
@@ -199,8 +151,11 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
     return failure("", "the oracle keeps to the rules", "ask for avx512, avx2 or portable");
 
   const Resolution resolution = scene.resolution;
-  const int tile =
-      options.tile == 0 ? chosen_tile(resolution.width, resolution.height, threads) : options.tile;
+  const TileRect part = part_of(options, resolution);
+  const int tile = options.tile == 0
+                       ? chosen_tile(static_cast<std::uint32_t>(part.width),
+                                     static_cast<std::uint32_t>(part.height), threads)
+                       : options.tile;
   const std::uint64_t shapes = scene.shape_count();
   Rendering rendering;
   try {
@@ -232,12 +187,23 @@ Result<Rendering> render(Scene&& scene, const RenderOptions& options) {
   return render_any(std::move(scene), options);
 }
 
+Result<void> check_lesson(const Scene& scene) {
+  if (scene.camera.kind == CameraKind::pinhole && !(scene.camera.aperture > 0)) return {};
+  return failure("", "this is known for a pinhole camera without a lens only",
+                 "use another camera: perspective or window");
+}
+
 Result<Rendering> render_varied(const Scene& scene, const RenderOptions& options,
                                 const Variation& variation) {
   Scene varied = scene;
   if (variation.vary_scene) variation.vary_scene(varied);
   RenderOptions other = options;
   if (variation.vary_options) variation.vary_options(other);
+  if (variation.kernel != nullptr) {
+    other.sampling = {};
+    if (const Result<void> good = check_lesson(varied); !good)
+      return tl::make_unexpected(good.error());
+  }
   Result<Rendering> rendering = render_any(std::move(varied), other, variation);
   if (rendering && variation.vary_image) variation.vary_image(rendering->image);
   return rendering;

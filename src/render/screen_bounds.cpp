@@ -23,32 +23,38 @@ double reach_of(const V3<double>& v) {
 }  // namespace
 
 /// From points to pixels: eye + s·(first + right·column + down·row), solved for s, s·column and
-/// s·row by Cramer's rule.
+/// s·row by Cramer's rule; of an orthographic camera eye + first + right·column + down·row + ahead·s,
+/// solved for s, column and row.
 struct ScreenBounds::Projection {
   V3<double> eye, to_s, to_column, to_row;
   double column_margin, row_margin;
-  bool usable;
+  bool parallel, usable;
 
   template <class R>
-  Projection(const FrozenCamera<R>& camera, double width, double height)
-      : eye(in_double(camera.eye)) {
+  Projection(const FrozenCamera<R>& camera, double width, double height, double reach)
+      : eye(in_double(camera.eye)), parallel(camera.kind == CameraKind::orthographic) {
     const V3<double> first = in_double(camera.first), right = in_double(camera.right),
                      down = in_double(camera.down);
+    const V3<double> ahead = parallel ? in_double(camera.ahead) : first;
     const V3<double> normal = cross(right, down);
-    const double one = 1 / dot(first, normal);
+    const double one = 1 / dot(ahead, normal);
     to_s = normal * one;
-    to_column = cross(down, first) * one;
-    to_row = cross(first, right) * one;
-    // A ray's direction is rounded several times, by 2^-24 of what it is made of; beside that, a
+    to_column = cross(down, ahead) * one;
+    to_row = cross(ahead, right) * one;
+    if (parallel) eye = eye + first;
+    // A ray's direction is rounded several times, by 2^-24 of what it is made of; so is the origin
+    // of a parallel one, and its direction counts as far as the farthest shape. Beside that, a
     // pixel is more than doubles err here.
     const double rounding =
-        0x1p-21 * (reach_of(first) + width * reach_of(right) + height * reach_of(down));
-    column_margin = 1 + rounding * (reach_of(to_column) + width * reach_of(to_s));
-    row_margin = 1 + rounding * (reach_of(to_row) + height * reach_of(to_s));
+        0x1p-21 * (reach_of(first) + width * reach_of(right) + height * reach_of(down) +
+                   (parallel ? reach_of(eye) + 4 : 0));
+    const double columns = parallel ? 0 : width, rows = parallel ? 0 : height;
+    column_margin = 1 + reach + rounding * (reach_of(to_column) + columns * reach_of(to_s));
+    row_margin = 1 + reach + rounding * (reach_of(to_row) + rows * reach_of(to_s));
     // Where the window's plane all but holds the eye (views of 180° less a ten-thousandth),
     // rounding can turn a ray to what is behind the eye.
-    usable = rounding * reach_of(to_s) < 0.5 && std::isfinite(column_margin) &&
-             std::isfinite(row_margin);
+    usable = (parallel || rounding * reach_of(to_s) < 0.5) && std::isfinite(column_margin) &&
+             std::isfinite(row_margin) && (parallel || camera.is_plain());
   }
 };
 
@@ -63,9 +69,11 @@ void ScreenBounds::add(const Projection& camera, const float* lower, const float
                               static_cast<double>(((corner & 4) != 0 ? upper : lower)[2])};
     const V3<double> away = point - camera.eye;
     const double s = dot(away, camera.to_s);
-    before += s > 0 ? 1 : 0;
-    behind += s < 0 ? 1 : 0;
-    const double column = dot(away, camera.to_column) / s, row = dot(away, camera.to_row) / s;
+    before += s > 0 || camera.parallel ? 1 : 0;
+    behind += s < (camera.parallel ? -0x1p-16 * (reach_of(camera.eye) + 4) : 0) ? 1 : 0;
+    const double divisor = camera.parallel ? 1 : s;
+    const double column = dot(away, camera.to_column) / divisor;
+    const double row = dot(away, camera.to_row) / divisor;
     finite = finite && std::isfinite(column) && std::isfinite(row);
     left = std::min(left, column), right = std::max(right, column);
     top = std::min(top, row), bottom = std::max(bottom, row);
@@ -82,8 +90,9 @@ void ScreenBounds::add(const Projection& camera, const float* lower, const float
 }
 
 template <class R>
-ScreenBounds::ScreenBounds(const FrozenScene<R>& scene, std::uint32_t width, std::uint32_t height) {
-  const Projection camera(scene.camera, width, height);
+ScreenBounds::ScreenBounds(const FrozenScene<R>& scene, std::uint32_t width, std::uint32_t height,
+                           double reach) {
+  const Projection camera(scene.camera, width, height, reach);
   if (scene.bodies.bounded < scene.bodies.count) {  // what has no bounds may be seen anywhere
     left_ = top_ = {-kEverywhere};
     right_ = bottom_ = {kEverywhere};
@@ -127,6 +136,7 @@ TileRect ScreenBounds::part_of(const TileRect& tile) const {
   return {left, top, right - left, bottom - top};
 }
 
-template ScreenBounds::ScreenBounds(const FrozenScene<float>&, std::uint32_t, std::uint32_t);
+template ScreenBounds::ScreenBounds(const FrozenScene<float>&, std::uint32_t, std::uint32_t,
+                                    double);
 
 }  // namespace zraka

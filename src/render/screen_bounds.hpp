@@ -14,9 +14,12 @@ namespace zraka {
 class ScreenBounds {
  public:
   /// Of a scene that is ready, in a picture of so many pixels: of the boxes two levels down in the
-  /// hierarchy, or of each shape where there is none.
+  /// hierarchy, or of each shape where there is none. `reach`: how far from a pixel's place its
+  /// rays may go through the picture, in pixels. Everywhere for cameras that make no straight lines
+  /// of straight lines, and those with a lens.
   template <class R>
-  ScreenBounds(const FrozenScene<R>& scene, std::uint32_t width, std::uint32_t height);
+  ScreenBounds(const FrozenScene<R>& scene, std::uint32_t width, std::uint32_t height,
+               double reach = 0);
 
   /// The part of a tile that they cover: no ray through a pixel outside of it hits a shape. Of no
   /// size where they cover none.

@@ -20,6 +20,9 @@ struct Variation {
   VariedRules rules{};
 };
 
+/// Whether kernels of variations know a scene's camera: lessons have one ray a pixel, from the eye.
+Result<void> check_lesson(const Scene& scene);
+
 /// render() with a variation; not for Isa::oracle.
 Result<Rendering> render_varied(const Scene& scene, const RenderOptions& options,
                                 const Variation& variation);

@@ -14,6 +14,7 @@
 #include "scene/check_bodies.hpp"
 #include "scene/freeze.hpp"
 #include "scene/view.hpp"
+#include "scene/view_axes.hpp"
 #include "shapes/shapes.hpp"
 
 namespace zraka {
@@ -85,29 +86,6 @@ std::string problem_of(const Light& light) {
       break;
   }
   return "";
-}
-
-void check_camera(const Camera& camera, const auto& complain) {
-  if (!finite(camera.eye) || !finite(camera.window_center) || !finite(camera.window_right) ||
-      !finite(camera.window_up))
-    return complain("the camera is not finite");
-  if (!within_reach(camera.eye) || !within_reach(camera.window_center) ||
-      !within_reach(camera.window_right) || !within_reach(camera.window_up))
-    return complain(fmt::format("the camera reaches farther than {} from the origin", kFarthest));
-  if (camera.kind == CameraKind::pinhole) {
-    if (!finite(camera.aperture) || !(camera.aperture >= 0) || camera.aperture > kFarthest)
-      complain("the camera's aperture is not a finite number of 0 or more");
-    if (camera.aperture > 0 && !(finite(camera.focus_distance) && camera.focus_distance > 0 &&
-                                 camera.focus_distance <= kFarthest))
-      complain("the distance that the camera is focused at is not a finite number above 0");
-    return;
-  }
-  if (camera.window_center == camera.eye || !spans_a_plane(camera.window_right, camera.window_up))
-    complain("the camera looks nowhere: its window is at the eye, or spans no plane");
-  if (camera.kind == CameraKind::fisheye && !(camera.fov_deg > 0 && camera.fov_deg <= 360))
-    complain(
-        fmt::format("the camera's angle of view is {}: expected more than 0, up to 360 degrees",
-                    camera.fov_deg));
 }
 
 void check_sky(const Scene& scene, const auto& complain) {
@@ -214,6 +192,37 @@ std::uint64_t count_bodies(const Scene& scene) {
   return bodies;
 }
 
+/// Words for what is wrong with a camera whose vectors are finite, and "" if nothing is.
+std::string problem_with(const Camera& camera) {
+  if (camera.kind == CameraKind::fisheye && !(camera.fov_deg > 0 && camera.fov_deg <= 360))
+    return fmt::format("the fisheye camera's angle of view is {}°: more than 0 and at most 360 are "
+                       "possible",
+                       camera.fov_deg);
+  if (!(camera.aperture >= 0 && camera.aperture <= kFarthest))
+    return fmt::format("the lens' diameter is {}: 0 or more is possible", camera.aperture);
+  if (camera.aperture > 0 && !(camera.focus_distance > 0 && camera.focus_distance <= kFarthest))
+    return fmt::format("the camera is in focus at the distance {}: it has to be more than 0",
+                       camera.focus_distance);
+  if (camera.kind == CameraKind::pinhole && camera.aperture == 0) return "";
+  const bool window = camera.kind != CameraKind::fisheye && camera.kind != CameraKind::panorama;
+  if (!ViewAxes(camera).good() ||
+      (window && !spans_a_plane(camera.window_right, camera.window_up)))
+    return "the camera looks nowhere, or straight up: its eye, its window's middle and up span no "
+           "plane";
+  return "";
+}
+
+void check_camera(const Camera& camera, const auto& complain) {
+  if (!finite(camera.eye) || !finite(camera.window_center) || !finite(camera.window_right) ||
+      !finite(camera.window_up))
+    complain("the camera is not finite");
+  else if (!within_reach(camera.eye) || !within_reach(camera.window_center) ||
+           !within_reach(camera.window_right) || !within_reach(camera.window_up))
+    complain(fmt::format("the camera reaches farther than {} from the origin", kFarthest));
+  else if (std::string problem = problem_with(camera); !problem.empty())
+    complain(std::move(problem));
+}
+
 /// Whether floats can hold what the camera sees beside what there is else.
 void check_floats(const Scene& scene, const Extent& extent, const auto& complain) {
   // Looking for what is seen takes long in large scenes, and most are far from any bound.
@@ -227,9 +236,19 @@ void check_floats(const Scene& scene, const Extent& extent, const auto& complain
   const double away =
       length({camera.window_center.x - camera.eye.x, camera.window_center.y - camera.eye.y,
               camera.window_center.z - camera.eye.z});
-  const double pixel = std::fmin(length(camera.window_right) / scene.resolution.width,
-                                 length(camera.window_up) / scene.resolution.height);
-  if (camera.kind == CameraKind::pinhole && pixel < away * 0x1p-21)
+  double pixel = std::fmin(length(camera.window_right) / scene.resolution.width,
+                           length(camera.window_up) / scene.resolution.height);
+  // Directions have 24 bits; of parallel rays it is the places that have.
+  double held = away;
+  if (camera.kind == CameraKind::fisheye)
+    pixel = camera.fov_deg * 0x1p-6 / scene.resolution.height, held = 1;
+  if (camera.kind == CameraKind::panorama) pixel = held = 1;
+  if (camera.kind == CameraKind::orthographic) {
+    const Frame frame = frame_of(scene);
+    const Vec3 eye = frame.point(camera.eye);
+    held = frame.world_length(std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)}));
+  }
+  if (pixel < held * 0x1p-21)
     complain("the view is too narrow: floats cannot tell the rays of neighbouring pixels apart",
              "from nearer by, or with fewer pixels, they can");
   if (scene.shape_count() == 0 ||

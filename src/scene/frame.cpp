@@ -12,68 +12,14 @@
 
 #include "core/handover.hpp"
 #include "scene/freeze.hpp"
+#include "scene/view_axes.hpp"
+#include "scene/view_cone.hpp"
 
 namespace zraka {
 namespace {
 
 /// Nearer and smaller, what is seen has squares of squares that floats cannot hold.
 constexpr double kLeastSeen = 0x1p-22;
-
-double length(const V3<double>& v) {
-  return std::hypot(v.x, v.y, v.z);
-}
-
-V3<double> between(const Vec3& from, const Vec3& to) {
-  return {to.x - from.x, to.y - from.y, to.z - from.z};
-}
-
-/// A cone around all rays of the picture.
-class View {
- public:
-  explicit View(const Camera& camera) : eye(camera.eye) {
-    const V3<double> center = between(camera.eye, camera.window_center);
-    axis_ = center * (1 / length(center));
-    const V3<double> right{camera.window_right.x, camera.window_right.y, camera.window_right.z};
-    const V3<double> up{camera.window_up.x, camera.window_up.y, camera.window_up.z};
-    for (const double x : {-0.5, 0.5})
-      for (const double y : {-0.5, 0.5}) {
-        const V3<double> corner = center + right * x + up * y;
-        cosine_ = std::min(cosine_, dot(corner, axis_) / length(corner));
-      }
-    sine_ = std::sqrt(std::max(0.0, 1 - cosine_ * cosine_));
-    known_ = cosine_ > 0 && length(center) > 0;
-  }
-
-  /// False only if no ray meets the box.
-  bool may_see(const Bounds& box) const {
-    if (!known_ || !box.bounded()) return true;
-    const Vec3 middle{box.lower.x / 2 + box.upper.x / 2, box.lower.y / 2 + box.upper.y / 2,
-                      box.lower.z / 2 + box.upper.z / 2};
-    const double radius = length(between(box.lower, box.upper)) / 2;
-    const V3<double> way = between(eye, middle);
-    const double along = dot(way, axis_), across = length(way - axis_ * along);
-    // From the cone's side; or from its tip, where that is nearest.
-    return along * cosine_ + across * sine_ >= 0 ? across * cosine_ - along * sine_ <= radius
-                                                 : length(way) <= radius;
-  }
-
-  Vec3 point_at(double distance) const {
-    return known_ ? Vec3{eye.x + axis_.x * distance, eye.y + axis_.y * distance,
-                         eye.z + axis_.z * distance}
-                  : eye;
-  }
-  /// How wide the picture is at a distance.
-  double width_at(double distance) const {
-    return known_ ? 2 * distance * sine_ / std::max(cosine_, 0.1) : distance;
-  }
-
-  const Vec3 eye;
-
- private:
-  V3<double> axis_{};
-  double cosine_ = 1, sine_ = 0;
-  bool known_ = false;
-};
 
 /// What there is, and what of it the camera sees.
 struct Survey {
@@ -116,7 +62,7 @@ T reduced(const std::vector<Object<Shape>>& objects, const T& none, const More& 
   return all;
 }
 
-Survey survey(const Scene& scene, const Whereabouts& where, const View& view) {
+Survey survey(const Scene& scene, const Whereabouts& where, const ViewCone& view) {
   Survey all;
   const auto join = [](Survey a, const Survey& b) {
     a.bounds.include(b.bounds);
@@ -170,7 +116,7 @@ std::optional<Vec3> median_of(const Scene& scene, const Whereabouts& where) {
 
 Frame frame_of(const Scene& scene) {
   if (scene.shape_count() == 0) return {};
-  const View view(scene.camera);
+  const ViewCone view(scene.camera, scene.resolution);
   const Whereabouts where(scene);
   Survey all = survey(scene, where, view);
   const Vec3 middle = median_of(scene, where).value_or(view.point_at(all.nearest));
@@ -183,7 +129,8 @@ Frame frame_of(const Scene& scene) {
   if (!(all.nearest < Bounds::kInfinity)) return Frame::around(middle, all.bounds);
 
   const Vec3 seen = view.point_at(all.nearest);
-  const bool good = length(between(seen, middle)) <= kMostWidths * view.width_at(all.nearest);
+  const bool good = length_of(vector_between(seen, middle)) <=
+                    kMostWidths * view.width_at(all.nearest);
   Frame frame = Frame::around(good ? middle : seen, all.bounds);
   if (frame.length(all.smallest) < kLeastSeen) {
     int exponent = 0;

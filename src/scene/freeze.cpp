@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "core/in_parallel.hpp"
+#include "scene/freeze_camera.hpp"
 #include "scene/narrow.hpp"
 #include "scene/pieces.hpp"
 
@@ -21,38 +22,6 @@ Vec3 within_reach(const Vec3& light) {
   const double away = std::max({std::fabs(light.x), std::fabs(light.y), std::fabs(light.z)});
   return away > kFar ? Vec3{light.x / away * kFar, light.y / away * kFar, light.z / away * kFar}
                      : light;
-}
-
-template <class R>
-FrozenCamera<R> freeze_camera(const Scene& scene, const Profile& profile, const Frame& frame) {
-  const Camera& camera = scene.camera;
-  const double width = scene.resolution.width;
-  const double height = scene.resolution.height;
-  const V3<double> center = {camera.window_center.x - camera.eye.x,
-                             camera.window_center.y - camera.eye.y,
-                             camera.window_center.z - camera.eye.z};
-  // Only directions count: the window comes to where their squares stay finite.
-  int exponent = 0;
-  std::frexp(std::max({std::fabs(center.x), std::fabs(center.y), std::fabs(center.z)}), &exponent);
-  const double scale = std::ldexp(1.0, -exponent);
-  const auto column =
-      V3<double>{camera.window_right.x, camera.window_right.y, camera.window_right.z} *
-      (scale / width);
-  const auto row =
-      V3<double>{camera.window_up.x, camera.window_up.y, camera.window_up.z} * (-scale / height);
-  // The sheet's pixel is its upper left corner, i = column - resolution/2; others look through
-  // centres.
-  const double in_pixel = profile.pixel_centers ? 0.5 : 0.0;
-  const auto first =
-      center * scale + column * (in_pixel - width / 2) + row * (in_pixel - height / 2);
-  const auto to_real = [](const V3<double>& v) {
-    return V3<R>{narrow<R>(v.x), narrow<R>(v.y), narrow<R>(v.z)};
-  };
-  const V3<double> ahead = center * (frame.eye_shift / std::sqrt(dot(center, center)));
-  const Vec3 eye = frame.eye_shift > 0 ? Vec3{camera.eye.x + ahead.x, camera.eye.y + ahead.y,
-                                              camera.eye.z + ahead.z}
-                                       : camera.eye;
-  return {narrow<R>(frame.point(eye)), to_real(first), to_real(column), to_real(row)};
 }
 
 template <class R>

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <zraka/cameras.hpp>
 
 #include "math/vec.hpp"
 #include "scene/frozen_bodies.hpp"
@@ -34,11 +35,29 @@ struct FrozenLight {
   V3<R> color;
 };
 
-/// Pixel (column, row) looks along first + right·column + down·row, not normalised.
+/// What src/cameras/ makes rays of; what a kind does not need is 0.
 template <class R>
 struct FrozenCamera {
   V3<R> eye;
+  /// pinhole: pixel (column, row) looks along first + right·column + down·row, not normalised.
+  /// orthographic: its ray starts there, from the eye on. fisheye, panorama: unit vectors, `first`
+  /// straight ahead.
   V3<R> first, right, down;
+  CameraKind kind;
+  /// pinhole: the lens' axes, as long as its radius; so many times first + right·column +
+  /// down·row is in focus.
+  V3<R> lens_right, lens_down;
+  double focus;
+  V3<R> ahead;  ///< orthographic: unit direction of all rays
+  /// fisheye, panorama: angles to the right and down of pixel (0, 0), and from pixel to pixel.
+  double angle_right, angle_down, step_right, step_down;
+  R beyond;  ///< no coordinate of a ray's origin is farther off than the eye's and so much
+
+  bool has_lens() const {
+    return lens_right.x != R(0) || lens_right.y != R(0) || lens_right.z != R(0);
+  }
+  /// A ray from the eye through each point of the window, which is all that trace_tile() knows.
+  bool is_plain() const { return kind == CameraKind::pinhole && !has_lens(); }
 };
 
 /// Number of each kind of shape, in the order of the list.

@@ -52,7 +52,8 @@ void refer_to(const FrozenScene<R>& scene, BuildRef* refs) {
   const double margin =
       0x3p-22 *
       (static_cast<double>(scene.reach) +
-       static_cast<double>(std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)})));
+       static_cast<double>(std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)}) +
+                           scene.camera.beyond));
   const auto refer = [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
     using Traits = ShapeTraits<Shape>;
     in_parallel(static_cast<std::size_t>(shapes.count), [&](std::size_t begin, std::size_t end) {

@@ -246,11 +246,12 @@ void read_optics(const toml::Node& node, MaterialEntry& entry, std::string_view 
 void read(const toml::Node& node, Input& input) {
   MaterialEntry entry;
   const std::string what = fmt::format("material {}", key_of(node.key));
+  const std::size_t before = input.problems.errors();
   read_fields(node, kTable, what, &entry, input);
   if (entry.bump && entry.normal_map)
     input.problems.error(node.find("normal_map")->begin,
                          fmt::format("{} has bump and normal_map: expected one of them", what));
-  read_optics(node, entry, what, input.problems);
+  if (input.problems.errors() == before) read_optics(node, entry, what, input.problems);
   entry.normals = normals_of(entry);
   std::sort(entry.textures.begin(), entry.textures.end(),
             [](const TextureUse& a, const TextureUse& b) { return a.coefficient < b.coefficient; });

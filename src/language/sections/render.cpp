@@ -10,9 +10,6 @@
 namespace zraka::language {
 namespace {
 
-constexpr int kMaxGrid = 256;
-static_assert(kMaxGrid * kMaxGrid == kMaxSamples);
-
 struct Grid {
   int grid = 2;
 };

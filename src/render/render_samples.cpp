@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/render_samples.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "engine/tile_order.hpp"
+#include "render/film.hpp"
+#include "render/sample_rays.hpp"
+#include "render/tiles.hpp"
+#include "render/tracer.hpp"
+
+namespace zraka {
+namespace {
+
+/// A tile may be of one pixel, but rays want company.
+constexpr std::int32_t kLeastBatch = 1024;
+
+/// Samples on their way through the engine, a batch at a time, and back to their pixels in the
+/// order that they came in.
+template <class R>
+class SampleTracer {
+ public:
+  SampleTracer(const PictureJob<R>& job, const SampleRays<R>& samples)
+      : job_(job),
+        samples_(samples),
+        memory_(batch_of(job), job.scene, job.settings),
+        waiting_(static_cast<std::size_t>(memory_.workspace().batch)) {}
+
+  /// The samples [first, last) of a pixel.
+  void add(std::int32_t x, std::int32_t y, std::uint32_t first, std::uint32_t last,
+           FilmPixel& pixel) {
+    Workspace<R>& workspace = memory_.workspace();
+    for (std::uint32_t number = first; number < last; ++number) {
+      const auto made = samples_.make(x, y, number, workspace, count_);
+      if (made == SampleRays<R>::Made::nothing) {
+        pixel.add({});
+        continue;
+      }
+      waiting_[static_cast<std::size_t>(count_)] = {&pixel,
+                                                    made == SampleRays<R>::Made::negative_ray};
+      if (++count_ == workspace.batch) flush();
+    }
+  }
+
+  /// Traces what has been added.
+  void flush() {
+    if (count_ == 0) return;
+    Workspace<R>& workspace = memory_.workspace();
+    Level<R>& level = workspace.levels[0];
+    level.ray_count = count_;
+    trace_rays(job_.kernel, job_.scene, job_.settings, memory_, counts);
+    if (memory_.general)
+      for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
+        note_cut(static_cast<double>(memory_.general->workspace().rays[0][i].cut));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
+      waiting_[i].pixel->add({{static_cast<float>(level.rays.r[i]),
+                               static_cast<float>(level.rays.g[i]),
+                               static_cast<float>(level.rays.b[i])},
+                              waiting_[i].negative});
+    count_ = 0;
+  }
+
+  RayCounts counts;
+  double most_cut = 0, all_cut = 0;
+
+ private:
+  /// The more children hits have, the fewer hits: their rays have to stay near.
+  static std::int32_t batch_of(const PictureJob<R>& job) {
+    if (job.scene.optics == nullptr) return std::max(job.tile * job.tile, kLeastBatch);
+    return std::max(2 * kLeastBatch * 2 / general::most_children(job.settings), 64);
+  }
+  void note_cut(double cut) {
+    most_cut = std::max(most_cut, cut);
+    all_cut += cut;
+  }
+
+  struct Waiting {
+    FilmPixel* pixel;
+    bool negative;
+  };
+  const PictureJob<R>& job_;
+  const SampleRays<R>& samples_;
+  TracerMemory<R> memory_;
+  std::vector<Waiting> waiting_;
+  std::int32_t count_ = 0;
+};
+
+template <class R>
+class SampledPicture {
+ public:
+  SampledPicture(const PictureJob<R>& job, Rendering& rendering)
+      : job_(job),
+        rendering_(rendering),
+        samples_(job.scene.camera, job.options.profile, job.options.sampling,
+                 job.scene.textures != nullptr),
+        bounds_(job.bounds(samples_.filter().radius())),
+        tracers_([this] { return SampleTracer<R>(job_, samples_); }) {}
+
+  /// As many samples for each pixel: tile by tile, and a tile's film is all that there is at a time.
+  bool render_evenly() {
+    const std::uint64_t area = area_of(job_.part);
+    WorkProgress progress(job_.options, area, area);
+    tbb::enumerable_thread_specific<std::vector<FilmPixel>> films;
+    const bool complete = each_tile_of(job_.part, [&](const TileRect& tile) {
+      std::vector<FilmPixel>& film = films.local();
+      film.assign(area_of(tile), FilmPixel());
+      const Film in_tile{film.data(), tile};
+      const std::uint64_t rays = trace(tile, in_tile, samples_.count(),
+                                       [](std::int32_t, std::int32_t) { return true; });
+      develop(tile, in_tile);
+      progress.add(area_of(tile), rays);
+    });
+    finish();
+    rendering_.stats.samples_per_pixel = samples_.count();
+    return complete;
+  }
+
+  /// More samples where they make a difference. All decisions of a pass are made before its first
+  /// ray, from the pass before it, so that it does not matter which pixels share a tile.
+  bool render_adaptively() {
+    const auto most = static_cast<std::uint32_t>(job_.options.sampling.most);
+    int passes = 1;
+    for (std::uint32_t n = samples_.count(); n < most; n = std::min(2 * n, most)) ++passes;
+    // A pass looks at neighbours, whose samples depend on theirs: a margin makes a crop the same.
+    const TileRect region = with_margin(passes - 1);
+    std::vector<FilmPixel> pixels(area_of(region));
+    std::vector<float> means(3 * pixels.size());
+    const Film film{pixels.data(), region};
+    const ContrastTest test(pixels, means, region.width, region.height,
+                            job_.options.sampling.contrast);
+    WorkProgress progress(job_.options, area_of(job_.part),
+                          static_cast<std::uint64_t>(passes) * area_of(region));
+    std::uint32_t target = samples_.count();
+    for (int pass = 0; pass < passes; ++pass, target = std::min(2 * target, most)) {
+      if (pass > 0 && !each_tile_of(region, [&](const TileRect& tile) {
+            each_pixel(tile, [&](std::int32_t x, std::int32_t y) {
+              const FilmPixel& pixel = film.at(tile.x + x, tile.y + y);
+              pixel.mean(samples_.filter(),
+                         means.data() + 3 * (&pixel - pixels.data()));
+            });
+          }))
+        return false;
+      const auto wants = [&](std::int32_t x, std::int32_t y) {
+        return pass == 0 || test.wants_more(x - region.x, y - region.y);
+      };
+      if (!each_tile_of(region, [&](const TileRect& tile) {
+            progress.add(area_of(tile), trace(tile, film, target, wants));
+          }))
+        return false;
+    }
+    develop(job_.part, film);
+    finish();
+    std::uint64_t all = 0;
+    for (std::int32_t y = job_.part.y; y < job_.part.y + job_.part.height; ++y)
+      for (std::int32_t x = job_.part.x; x < job_.part.x + job_.part.width; ++x) {
+        rendering_.samples.push_back(film.at(x, y).count());
+        all += rendering_.samples.back();
+      }
+    rendering_.stats.samples_per_pixel =
+        static_cast<double>(all) / static_cast<double>(area_of(job_.part));
+    return true;
+  }
+
+ private:
+  /// The pixels of a rectangle of the picture.
+  struct Film {
+    FilmPixel* pixels;
+    TileRect rect;
+    FilmPixel& at(std::int32_t x, std::int32_t y) const {
+      return pixels[std::ptrdiff_t{y - rect.y} * rect.width + (x - rect.x)];
+    }
+  };
+
+  template <class Work>
+  bool each_tile_of(const TileRect& rect, const Work& work) {
+    return each_tile(static_cast<std::uint32_t>(rect.width),
+                     static_cast<std::uint32_t>(rect.height), job_.tile, job_.threads,
+                     job_.options.bind_threads, job_.options.cancel, [&](const TileRect& tile) {
+                       work(TileRect{rect.x + tile.x, rect.y + tile.y, tile.width, tile.height});
+                     });
+  }
+
+  /// Brings those pixels of a tile that want it to `target` samples. Returns the number of rays.
+  template <class Wants>
+  std::uint64_t trace(const TileRect& tile, const Film& film, std::uint32_t target,
+                      const Wants& wants) {
+    SampleTracer<R>& tracer = tracers_.local();
+    const std::uint64_t before = tracer.counts.total();
+    const TileRect seen = bounds_ ? bounds_->part_of(tile) : tile;
+    const V3<R>& background = job_.scene.background;
+    const FilmSample empty{{static_cast<float>(background.x), static_cast<float>(background.y),
+                            static_cast<float>(background.z)}};
+    each_pixel(tile, [&](std::int32_t column, std::int32_t row) {
+      const std::int32_t x = tile.x + column, y = tile.y + row;
+      if (!wants(x, y)) return;
+      FilmPixel& pixel = film.at(x, y);
+      if (x >= seen.x && y >= seen.y && x < seen.x + seen.width && y < seen.y + seen.height) {
+        tracer.add(x, y, pixel.count(), target, pixel);
+        return;
+      }
+      for (std::uint32_t n = pixel.count(); n < target; ++n) pixel.add(empty), ++tracer.counts.camera;
+    });
+    tracer.flush();
+    return tracer.counts.total() - before;
+  }
+
+  /// Makes pixels of the image of a film's.
+  void develop(const TileRect& rect, const Film& film) {
+    for (std::int32_t y = rect.y; y < rect.y + rect.height; ++y) {
+      float* color = rendering_.image.row(static_cast<std::uint32_t>(y - job_.part.y)) +
+                     3 * (rect.x - job_.part.x);
+      for (std::int32_t x = rect.x; x < rect.x + rect.width; ++x, color += 3)
+        film.at(x, y).mean(samples_.filter(), color);
+    }
+  }
+
+  TileRect with_margin(std::int32_t margin) const {
+    const TileRect& part = job_.part;
+    const std::int32_t left = std::max(part.x - margin, 0), top = std::max(part.y - margin, 0);
+    const std::int32_t right = std::min(part.x + part.width + margin,
+                                        static_cast<std::int32_t>(job_.resolution.width));
+    const std::int32_t bottom = std::min(part.y + part.height + margin,
+                                         static_cast<std::int32_t>(job_.resolution.height));
+    return {left, top, right - left, bottom - top};
+  }
+
+  void finish() {
+    double all_cut = 0;
+    for (const SampleTracer<R>& tracer : tracers_) {
+      add(rendering_.stats.rays, tracer.counts);
+      rendering_.stats.most_cut = std::max(rendering_.stats.most_cut, tracer.most_cut);
+      all_cut += tracer.all_cut;
+    }
+    const auto cameras = static_cast<double>(rendering_.stats.rays.camera);
+    if (cameras > 0) rendering_.stats.mean_cut = all_cut / cameras;
+  }
+
+  const PictureJob<R>& job_;
+  Rendering& rendering_;
+  const SampleRays<R> samples_;
+  const std::optional<ScreenBounds> bounds_;
+  tbb::enumerable_thread_specific<SampleTracer<R>> tracers_;
+};
+
+}  // namespace
+
+template <class R>
+bool render_samples(const PictureJob<R>& job, Rendering& rendering) {
+  SampledPicture<R> picture(job, rendering);
+  return job.options.sampling.kind == Sampling::Kind::adaptive ? picture.render_adaptively()
+                                                               : picture.render_evenly();
+}
+
+template bool render_samples(const PictureJob<float>&, Rendering&);
+template bool render_samples(const PictureJob<double>&, Rendering&);
+
+}  // namespace zraka
