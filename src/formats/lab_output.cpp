@@ -17,6 +17,8 @@ Result<std::string> write_lab_input(const Scene& scene) {
       camera.window_up != Vec3{0, size, 0} || scene.resolution.width != scene.resolution.height)
     return refuse(
         "where this scene's window is: it knows squares in the plane z = 0 around the origin");
+  if (camera.kind != CameraKind::pinhole || camera.aperture > 0)
+    return refuse("another camera than a pinhole without a lens");
   if (scene.lights.size() != 1 || scene.lights[0].color != Color{1, 1, 1})
     return refuse("these lights: it knows one white light");
   if (scene.background != Color{} || scene.ambient_light != Color{0.5, 0.5, 0.5})

@@ -20,6 +20,8 @@ void Losses::count(std::string_view what, std::uint64_t times) {
 void Losses::defaults(const Scene& scene, const RenderDefaults& of_format) {
   count("the profile", scene.defaults.profile != of_format.profile);
   count("the depth of rays", scene.defaults.max_depth != of_format.max_depth);
+  count("how many rays a pixel has, or their filter",
+        !(scene.defaults.sampling == of_format.sampling));
   count("that there are no shadows", scene.defaults.shadows != of_format.shadows);
 }
 

@@ -116,6 +116,9 @@ void Writer::write_all(const std::vector<Object<Shape>>& objects) {
 }
 
 Result<WrittenScene> Writer::write() {
+  if (scene_.camera.kind != CameraKind::pinhole)
+    return failure("", "NFF cannot say what kind of camera this scene has: it knows the pinhole");
+  losses_.count("the camera's lens", scene_.camera.aperture > 0);
   const std::optional<std::string> view = view_of(scene_);
   if (!view)
     return failure("",

@@ -22,8 +22,7 @@ namespace {
 
 /// Words for what is wrong with sampling, and "" if nothing is.
 std::string problem_with(const Sampling& sampling) {
-  const int most =
-      sampling.kind == Sampling::Kind::grid ? kMaxGrid : kMaxSamples;
+  const int most = sampling.kind == Sampling::Kind::grid ? kMaxGrid : kMaxSamples;
   if (sampling.count < 1 || sampling.count > most)
     return fmt::format("{} {} is out of range: 1 to {}",
                        sampling.kind == Sampling::Kind::grid ? "grid" : "number of samples",
@@ -42,9 +41,10 @@ std::string problem_with(const PixelRect& crop, const Resolution& size) {
   if (crop.width == 0 || crop.height == 0) return "the crop has no pixels";
   if (std::uint64_t{crop.x} + crop.width > size.width ||
       std::uint64_t{crop.y} + crop.height > size.height)
-    return fmt::format("the crop of {}×{} pixels from ({}, {}) on is not within the picture of "
-                       "{}×{} pixels",
-                       crop.width, crop.height, crop.x, crop.y, size.width, size.height);
+    return fmt::format(
+        "the crop of {}×{} pixels from ({}, {}) on is not within the picture of "
+        "{}×{} pixels",
+        crop.width, crop.height, crop.x, crop.y, size.width, size.height);
   return "";
 }
 

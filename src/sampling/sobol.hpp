@@ -51,8 +51,7 @@ constexpr std::uint32_t second_sobol_reversed(std::uint32_t index) {
 /// from a multiple of 2^k on have one in each of the 2^k equal rectangles that halving the square
 /// makes, of any shape: a (0,2)-sequence.
 constexpr Point2 sobol_2d(std::uint32_t index, std::uint32_t scramble) {
-  const std::uint32_t at =
-      reverse_bits(scramble_reversed(reverse_bits(index), hash(scramble, 0)));
+  const std::uint32_t at = reverse_bits(scramble_reversed(reverse_bits(index), hash(scramble, 0)));
   const std::uint32_t u = scramble_reversed(at, hash(scramble, 1));
   const std::uint32_t v = scramble_reversed(second_sobol_reversed(at), hash(scramble, 2));
   return {unit_of(reverse_bits(u)), unit_of(reverse_bits(v))};

@@ -52,8 +52,8 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
 /// through the window's edges where rays are parallel.
 class View {
  public:
-  explicit View(const Camera& camera) : knows_(camera.kind == CameraKind::pinhole ||
-                                               camera.kind == CameraKind::orthographic) {
+  explicit View(const Camera& camera)
+      : knows_(camera.kind == CameraKind::pinhole || camera.kind == CameraKind::orthographic) {
     if (!knows_) return;
     const bool parallel = camera.kind == CameraKind::orthographic;
     const Vec3 ahead = minus(camera.window_center, camera.eye);
@@ -69,7 +69,7 @@ class View {
       const Vec3 &from = corners[i], &to = corners[(i + 1) % 4], &beyond = corners[(i + 2) % 4];
       const Vec3 side = parallel ? cross(ahead, minus(to, from)) : cross(from, to);
       const double inwards = dot(side, parallel ? minus(beyond, from) : corner(0, 0)) < 0 ? -1 : 1;
-      const Vec3 &eye = camera.eye;
+      const Vec3& eye = camera.eye;
       points_[i] = parallel ? Vec3{eye.x + from.x, eye.y + from.y, eye.z + from.z} : eye;
       sides_[i] = {side.x * inwards, side.y * inwards, side.z * inwards};
     }
