@@ -61,8 +61,8 @@ std::vector<Point2> lens_points() {
 }
 
 TEST(Cameras, LookAheadInTheMiddleAndKeepRightRightAndUpUp) {
-  for (const CameraKind kind : {CameraKind::pinhole, CameraKind::orthographic, CameraKind::fisheye,
-                                CameraKind::panorama}) {
+  for (const CameraKind kind :
+       {CameraKind::pinhole, CameraKind::orthographic, CameraKind::fisheye, CameraKind::panorama}) {
     const FrozenCamera<double> camera = frozen(camera_of(kind), kSize);
     const CameraRay middle = ray_at(camera, kMiddleColumn, kMiddleRow);
     expect_near(middle.origin, {1, 2, 3});
@@ -80,8 +80,8 @@ TEST(Cameras, LookAheadInTheMiddleAndKeepRightRightAndUpUp) {
 
 TEST(Cameras, HaveConesAsWideAsPixels) {
   // What neighbouring rays span at some distance, and the square of the cone's width there.
-  for (const CameraKind kind : {CameraKind::pinhole, CameraKind::orthographic, CameraKind::fisheye,
-                                CameraKind::panorama}) {
+  for (const CameraKind kind :
+       {CameraKind::pinhole, CameraKind::orthographic, CameraKind::fisheye, CameraKind::panorama}) {
     const FrozenCamera<double> camera = frozen(camera_of(kind), kSize);
     for (const double column : {3.0, 11.0, 19.0, 33.0})
       for (const double row : {2.0, 9.0, 15.0}) {
@@ -97,8 +97,8 @@ TEST(Cameras, HaveConesAsWideAsPixels) {
         const CameraRay ray = ray_at(camera, column, row);
         const CameraCone cone = camera_cone(camera, {column, row, {}}, ray);
         const double width = cone.width + kAway * cone.spread;
-        EXPECT_NEAR(width * width / area, 1, 1e-6) << static_cast<int>(kind) << ": " << column
-                                                   << ", " << row;
+        EXPECT_NEAR(width * width / area, 1, 1e-6)
+            << static_cast<int>(kind) << ": " << column << ", " << row;
       }
   }
 }
@@ -184,16 +184,16 @@ TEST(Fisheye, SeesNothingBeyondAHalfTurn) {
 
 TEST(Panorama, HasAllDirectionsWhereMapsHaveThem) {
   const FrozenCamera<double> camera = frozen(camera_of(CameraKind::panorama), kSize);
-  expect_near(ray_at(camera, 29.5, kMiddleRow).direction, {1, 0, 0});   // three quarters: right
-  expect_near(ray_at(camera, 9.5, kMiddleRow).direction, {-1, 0, 0});   // a quarter: left
-  expect_near(ray_at(camera, -0.5, kMiddleRow).direction, {0, 0, 1});   // the left edge: behind
-  expect_near(ray_at(camera, 39.5, kMiddleRow).direction, {0, 0, 1});   // the right edge as well
+  expect_near(ray_at(camera, 29.5, kMiddleRow).direction, {1, 0, 0});  // three quarters: right
+  expect_near(ray_at(camera, 9.5, kMiddleRow).direction, {-1, 0, 0});  // a quarter: left
+  expect_near(ray_at(camera, -0.5, kMiddleRow).direction, {0, 0, 1});  // the left edge: behind
+  expect_near(ray_at(camera, 39.5, kMiddleRow).direction, {0, 0, 1});  // the right edge as well
   for (const double column : {0.0, 13.0}) {
-    expect_near(ray_at(camera, column, -0.5).direction, {0, 1, 0});     // above: up
+    expect_near(ray_at(camera, column, -0.5).direction, {0, 1, 0});  // above: up
     expect_near(ray_at(camera, column, 19.5).direction, {0, -1, 0});
   }
   expect_near(ray_at(camera, kMiddleColumn, 4.5).direction,
-              {0, std::sqrt(0.5), -std::sqrt(0.5)});                    // a quarter: 45° up
+              {0, std::sqrt(0.5), -std::sqrt(0.5)});  // a quarter: 45° up
 }
 
 /// What render() says of a scene with this camera; "" if it renders.

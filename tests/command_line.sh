@@ -41,6 +41,36 @@ expect 2 "--output is required" "$zraka" render "$scene"
 expect 2 "'9' is not a stage" "$zraka" render "$scene" -o "$folder/a.png" --stage 9
 expect 2 "--max-depth" "$zraka" render "$scene" -o "$folder/a.png" --max-depth -1
 expect 2 "'mmx' is not avx512, avx2 or portable" "$zraka" render "$scene" -o "$folder/a.png" --isa mmx
+# Samples, filters, parts of pictures.
+wrong() { expect 2 "$1" "$zraka" render "$scene" -o "$folder/a.png" "${@:2}"; }
+wrong "--samples, --grid and --adaptive exclude each other: give one of them" --samples 4 --grid 2
+wrong "--samples: '0' is not a number from 1 to 65536" --samples 0
+wrong "--grid: '257' is not a number from 1 to 256" --grid 257
+for list in 4 8,4 0,4 4,8,2 4,8,0.1,1 4,65537 a,b 4,; do
+  wrong "--adaptive: '$list' is not MIN,MAX or MIN,MAX,CONTRAST: 1 or more, MIN or more, 0 to 1" --adaptive $list
+done
+wrong "--filter: 'cubic' is not box, tent, gauss or mitchell" --filter cubic
+wrong "--quality: 'best' is not draft, good or final" --quality best
+wrong "--shadows: 'soft' is not opaque, transparent or off" --shadows soft
+wrong "--seed: '-1' is not a whole number from 0 to 4294967295" --seed -1
+wrong "--wavelengths: '65' is not a number from 1 to 64" --wavelengths 65
+wrong "--min-contribution: '-1' is not a number from 0" --min-contribution -1
+for list in 1,2,3 1,2,3,-4 a 1,2,3,4,5; do
+  wrong "--crop: '$list' is not X,Y,WIDTH,HEIGHT in whole pixels" --crop $list
+done
+expect 1 "the crop of 20×20 pixels from (390, 0) on is not within the picture of 400×400 pixels" \
+  "$zraka" render "$scene" -o "$folder/a.png" --crop 390,0,20,20
+expect 0 "samples 5" "$zraka" render "$scene" -o "$folder/c.png" --width 60 --samples 5 --stats
+expect 0 '"samples_per_pixel": 4.0' "$zraka" render "$scene" -o "$folder/c.png" --width 60 --grid 2 --stats=json
+same() {
+  "$zraka" render "$scene" -o "$folder/c.png" --width 60 $1 && "$zraka" render "$scene" -o "$folder/d.png" --width 60 $2 &&
+    cmp -s "$folder/c.png" "$folder/d.png" || fail "'$1' and '$2' differ"
+}
+same "--quality draft" "--max-depth 2"
+same "--quality good" "--adaptive 4,16"
+same "--quality final" "--samples 64 --filter gauss"
+same "--quality final --samples 2 --filter box" "--samples 2"
+same "--shadows off --stage 5" "--stage 4"
 expect 1 "which is no instruction set" env ZRAKA_ISA=mmx "$zraka" render "$scene" -o "$folder/a.png"
 expect 2 "'x.jpg' is not the name of a PNG" "$zraka" render "$scene" -o x.jpg
 [ -e "$folder/a.png" ] && fail "a picture of a render that failed"

@@ -215,6 +215,10 @@ TEST(Convert, SaysWhatInputTxtLosesAndCannotSay) {
   Scene scene = lab_scene();
   add_sphere(scene, {0, 0, 0}, 1, {});
   scene.defaults = {ProfileName::physical, 5, Shadows::opaque};
+  Scene parallel = scene;
+  parallel.camera.kind = CameraKind::orthographic;
+  EXPECT_EQ(losses(parallel, "nff"),
+            "error: NFF cannot say what kind of camera this scene has: it knows the pinhole\n");
   EXPECT_EQ(losses(scene, "lab"),
             "warning: lost in input.txt: the profile\n"
             "warning: lost in input.txt: the depth of rays\n");

@@ -18,9 +18,6 @@ namespace {
 
 constexpr PixelFilter kFilters[] = {PixelFilter::box, PixelFilter::tent, PixelFilter::gauss,
                                     PixelFilter::mitchell};
-constexpr CameraKind kKinds[] = {CameraKind::pinhole, CameraKind::orthographic,
-                                 CameraKind::fisheye, CameraKind::panorama};
-
 Scene tangled(CameraKind kind, double aperture = 0, std::uint32_t width = 50,
               std::uint32_t height = 37) {
   Scene scene = tangled_scene();
@@ -41,8 +38,8 @@ Sampling adaptive(int count, int most, double contrast = 0.05) {
 std::vector<Sampling> samplings() {
   std::vector<Sampling> all;
   for (const PixelFilter filter : kFilters)
-    for (Sampling sampling : {Sampling{.count = 3}, Sampling{.kind = Sampling::Kind::grid, .count = 2},
-                              adaptive(2, 9)}) {
+    for (Sampling sampling : {Sampling{.count = 3},
+                              Sampling{.kind = Sampling::Kind::grid, .count = 2}, adaptive(2, 9)}) {
       sampling.filter = filter;
       all.push_back(sampling);
     }
@@ -63,18 +60,21 @@ struct NamedView {
   Scene scene;
 };
 
-std::vector<NamedView> views() {
-  return {{"pinhole", tangled(CameraKind::pinhole)},
-          {"lens", tangled(CameraKind::pinhole, 0.3)},
-          {"orthographic", tangled(CameraKind::orthographic)},
-          {"fisheye", tangled(CameraKind::fisheye)},
-          {"panorama", tangled(CameraKind::panorama)}};
+std::vector<NamedView> views(std::uint32_t width = 50, std::uint32_t height = 37) {
+  const auto view = [&](CameraKind kind, double aperture = 0) {
+    return tangled(kind, aperture, width, height);
+  };
+  return {{"pinhole", view(CameraKind::pinhole)},
+          {"lens", view(CameraKind::pinhole, 0.3)},
+          {"orthographic", view(CameraKind::orthographic)},
+          {"fisheye", view(CameraKind::fisheye)},
+          {"panorama", view(CameraKind::panorama)}};
 }
 
 TEST(Samples, GiveTheSameBitsHoweverTheyAreComputed) {
-  for (const NamedView& view : views())
+  for (const NamedView& view : views(24, 19))
     for (const Sampling& sampling : samplings()) {
-      RenderOptions options{.max_depth = 2, .sampling = sampling};
+      RenderOptions options{.max_depth = 1, .sampling = sampling};
       options.isa = Isa::portable;
       options.threads = 1;
       const Rendering whole = render(view.scene, options).value();
@@ -82,8 +82,10 @@ TEST(Samples, GiveTheSameBitsHoweverTheyAreComputed) {
       struct Way {
         int threads, tile;
       };
-      for (const Isa isa : available_isas())
-        for (const Way way : {Way{2, 0}, {3, 7}, {1, 64}}) {
+      const std::vector<Isa> isas = available_isas();
+      for (const Isa isa : isas)
+        for (const Way way : {Way{2, 7}, {3, 0}, {1, 64}}) {
+          if (isa != isas.front() && way.tile != 7) continue;
           options.isa = isa;
           options.threads = way.threads;
           options.tile = way.tile;
@@ -93,7 +95,7 @@ TEST(Samples, GiveTheSameBitsHoweverTheyAreComputed) {
               << static_cast<int>(sampling.kind) << ", " << name_of(isa) << ", tile " << way.tile;
           ASSERT_EQ(got.samples, whole.samples);
         }
-      for (const PixelRect crop : {PixelRect{0, 0, 50, 37}, {11, 5, 20, 17}, {49, 36, 1, 1}}) {
+      for (const PixelRect crop : {PixelRect{0, 0, 24, 19}, {11, 5, 9, 8}, {23, 18, 1, 1}}) {
         options.crop = crop;
         ASSERT_EQ(sha256(render(view.scene, options).value().image), sha256(cut(whole.image, crop)))
             << view.name << ", filter " << static_cast<int>(sampling.filter) << ", kind "
@@ -195,14 +197,15 @@ TEST(Filters, BlurAnEdgeAsTheirIntegralHasIt) {
     double first, second;
   };
   const double gauss = std::erf(1.5 * std::sqrt(2.0));
-  // Mitchell's: the integrals of its pieces from 1/2 to 2 and from 3/2 to 2 are -5/288+... by hand:
-  // F(a) = ∫ from a to 2; for a ≥ 1 with s = 2 - a it is (7·s⁴/4 - 2·s³)/18, for a < 1 that of 1 and
-  // the inner piece.
+  // Mitchell's, from a to 2: with s = 2 - a it is (7·s⁴/4 - 2·s³)/18 for a ≥ 1; within 1 its other
+  // piece has an integral of its own.
   const auto outer = [](double a) {
     const double s = 2 - a;
     return (7 * s * s * s * s / 4 - 2 * s * s * s) / 18;
   };
-  const auto inner = [](double x) { return (7 * x * x * x * x / 4 - 4 * x * x * x + 16 * x / 3) / 6; };
+  const auto inner = [](double x) {
+    return (7 * x * x * x * x / 4 - 4 * x * x * x + 16 * x / 3) / 6;
+  };
   const Case cases[] = {
       {PixelFilter::box, 0, 0},
       {PixelFilter::tent, 0.125, 0},
@@ -210,11 +213,11 @@ TEST(Filters, BlurAnEdgeAsTheirIntegralHasIt) {
       {PixelFilter::mitchell, outer(1) + inner(1) - inner(0.5), outer(1.5)}};
   for (const Case& c : cases) {
     RenderOptions options;
-    options.sampling = {.count = 1024, .filter = c.filter};
+    options.sampling = {.count = 16384, .filter = c.filter};
     const Image image = render(scene, options).value().image;
-    EXPECT_NEAR(image.row(1)[3 * 4], c.first, 2e-3) << static_cast<int>(c.filter);
-    EXPECT_NEAR(image.row(1)[3 * 5], c.second, 2e-3) << static_cast<int>(c.filter);
-    EXPECT_NEAR(image.row(1)[3 * 3], 1 - c.first, 2e-3) << static_cast<int>(c.filter);
+    EXPECT_NEAR(image.row(1)[3 * 4], c.first, 1.5e-3) << static_cast<int>(c.filter);
+    EXPECT_NEAR(image.row(1)[3 * 5], c.second, 1.5e-3) << static_cast<int>(c.filter);
+    EXPECT_NEAR(image.row(1)[3 * 3], 1 - c.first, 1.5e-3) << static_cast<int>(c.filter);
   }
 }
 
@@ -288,9 +291,10 @@ TEST(Samples, DependOnTheSeed) {
 }
 
 TEST(Samples, ComeNearerToThePictureTheMoreThereAre) {
-  const Scene scene = tangled(CameraKind::pinhole, 0.2);
-  RenderOptions options{.max_depth = 1};
-  options.sampling = {.count = 4096};
+  const Scene scene = tangled(CameraKind::pinhole);
+  RenderOptions options{.max_depth = 0};
+  options.sampling = {.count = 2048};
+  options.crop = {{10, 8, 24, 20}};
   const Image want = render(scene, options).value().image;
   const auto error = [&](int count) {
     options.sampling = {.count = count, .seed = 3};
@@ -333,11 +337,12 @@ TEST(Lens, BlursASmallSphereToItsCircleOfConfusion) {
   add_sphere(scene, {0, 0, -8}, 0.02, {.ambient = {1, 1, 1}});
   RenderOptions options;
   options.sampling = {.count = 256};
+  options.crop = {{85, 85, 30, 30}};
   const auto width = [&] {
     const Image image = render(scene, options).value().image;
-    int left = 200, right = -1;
-    for (int y = 0; y < 200; ++y)
-      for (int x = 0; x < 200; ++x)
+    int left = 30, right = -1;
+    for (int y = 0; y < 30; ++y)
+      for (int x = 0; x < 30; ++x)
         if (image.row(static_cast<std::uint32_t>(y))[3 * x] > 0)
           left = std::min(left, x), right = std::max(right, x);
     return right - left + 1;

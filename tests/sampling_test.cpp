@@ -183,11 +183,13 @@ double filter_value(PixelFilter filter, double x) {
     case PixelFilter::tent:
       return std::max(0.0, 1 - x);
     case PixelFilter::gauss:
-      return x > 1.5 ? 0 : std::exp(-2 * x * x) / (std::sqrt(kPi / 2) * std::erf(1.5 * std::sqrt(2)));
+      return x > 1.5 ? 0
+                     : std::exp(-2 * x * x) / (std::sqrt(kPi / 2) * std::erf(1.5 * std::sqrt(2)));
     case PixelFilter::mitchell: {
       constexpr double b = 1.0 / 3, c = 1.0 / 3;
       if (x < 1)
-        return ((12 - 9 * b - 6 * c) * x * x * x + (-18 + 12 * b + 6 * c) * x * x + (6 - 2 * b)) / 6;
+        return ((12 - 9 * b - 6 * c) * x * x * x + (-18 + 12 * b + 6 * c) * x * x + (6 - 2 * b)) /
+               6;
       if (x < 2)
         return ((-b - 6 * c) * x * x * x + (6 * b + 30 * c) * x * x + (-12 * b - 48 * c) * x +
                 (8 * b + 24 * c)) /

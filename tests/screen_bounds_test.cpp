@@ -16,6 +16,7 @@
 #include "render/corners.hpp"
 #include "render/isa.hpp"
 #include "render/prepare.hpp"
+#include "render/sample_rays.hpp"
 #include "render/workspace.hpp"
 #include "scenes.hpp"
 
@@ -104,6 +105,92 @@ TEST(ScreenBounds, LeaveOutNothingThatARayMeets) {
   EXPECT_GT(partly, 25) << "too many of these cameras tell nothing";
 }
 
+/// Traces a sample of each pixel; whether all that hit something are in the part that bounds leave.
+/// Adds how many pixels that part has.
+bool hold_all_hits(const Scene& scene, const Sampling& sampling, int& left) {
+  const auto profile = profile_of(ProfileName::physical);
+  const auto prepared = prepare<float>(scene, profile);
+  const FrozenScene<float>& frozen = prepared.store->scene;
+  const auto width = static_cast<std::int32_t>(scene.resolution.width),
+             height = static_cast<std::int32_t>(scene.resolution.height);
+  const TileRect part = ScreenBounds(frozen, scene.resolution.width, scene.resolution.height,
+                                     PixelFilterShape::of(sampling.filter).radius())
+                            .part_of({0, 0, width, height});
+  left += part.width * part.height;
+  WorkspaceMemory<float> memory(width * height, 0, false);
+  Workspace<float>& workspace = memory.workspace();
+  const SampleRays<float> samples(frozen.camera, profile, sampling, false);
+  RenderOptions options;
+  options.terms = terms_of(Stage::silhouette);
+  options.max_depth = 0;
+  for (std::uint32_t number = 0; number < 4; ++number) {
+    for (std::int32_t y = 0, i = 0; y < height; ++y)
+      for (std::int32_t x = 0; x < width; ++x, ++i) samples.make(x, y, number, workspace, i);
+    workspace.levels[0].ray_count = width * height;
+    RayCounts counts;
+    kernel_of(*choose_isa(std::nullopt))
+        .trace_rays(frozen, settings_of(options, prepared.frame), workspace, counts);
+    for (std::int32_t y = 0, i = 0; y < height; ++y)
+      for (std::int32_t x = 0; x < width; ++x, ++i) {
+        const bool inside =
+            x >= part.x && y >= part.y && x < part.x + part.width && y < part.y + part.height;
+        if (!inside && workspace.levels[0].rays.r[i] > 0) return false;
+      }
+  }
+  return true;
+}
+
+TEST(ScreenBounds, LeaveOutNothingThatASampleOfAnyCameraMeets) {
+  std::mt19937 random(24);
+  Scene few = lab_scene();
+  for (const double x : {-1.0, 0.2, 0.9}) add_sphere(few, {x, 0.3 * x, -2 - x}, 0.4, {});
+  int partly = 0;
+  for (Scene scene : {few, tangled_scene(), mixed_scene()}) {
+    scene.resolution = {61, 47};
+    scene.background = {0, 0, 0};
+    for (int i = 0; i < 60; ++i) {
+      scene.camera = random_camera(random);
+      scene.camera.kind = i % 6 == 0   ? CameraKind::fisheye
+                          : i % 6 == 1 ? CameraKind::panorama
+                          : i % 2 == 0 ? CameraKind::orthographic
+                                       : CameraKind::pinhole;
+      if (i % 6 == 3) scene.camera.aperture = 0.2;
+      const Sampling sampling{.count = 4,
+                              .filter = i % 3 == 0 ? PixelFilter::mitchell : PixelFilter::gauss};
+      int left = 0;
+      ASSERT_TRUE(hold_all_hits(scene, sampling, left)) << "camera " << i;
+      partly += left > 0 && left < 61 * 47;
+    }
+  }
+  EXPECT_GT(partly, 20) << "too many of these cameras tell nothing";
+}
+
+void expect_rect(const TileRect& rect, const TileRect& want) {
+  EXPECT_EQ(rect.x, want.x);
+  EXPECT_EQ(rect.y, want.y);
+  EXPECT_EQ(rect.width, want.width);
+  EXPECT_EQ(rect.height, want.height);
+}
+
+TEST(ScreenBounds, OfParallelRaysAreABoxAndAPixelMore) {
+  Scene scene = lab_scene();
+  scene.camera.kind = CameraKind::orthographic;
+  scene.camera.eye = {0, 0, 0};
+  scene.camera.window_center = {0, 0, -1};
+  scene.camera.window_right = {10, 0, 0};
+  scene.camera.window_up = {0, 10, 0};
+  scene.materials = {{}};
+  scene.spheres.push_back({{{2, 1, -30}, 1}, 0});
+  const auto prepared = prepare<float>(scene, profile_of(ProfileName::lab));
+  // x from 1 to 3: columns 60 to 80; y from 0 to 2: rows 30 to 50.
+  const TileRect part = ScreenBounds(prepared.store->scene, 100, 100).part_of({0, 0, 100, 100});
+  expect_rect(part, {59, 29, 23, 23});
+  // Behind the eye.
+  scene.spheres[0].shape.center.z = 3;
+  const auto behind = prepare<float>(scene, profile_of(ProfileName::lab));
+  EXPECT_EQ(ScreenBounds(behind.store->scene, 100, 100).part_of({0, 0, 100, 100}).width, 0);
+}
+
 TEST(ScreenBounds, CountTheRaysThatTheyAnswer) {
   Scene scene = lab_scene();
   scene.resolution = {61, 47};
@@ -141,13 +228,6 @@ TileRect part_with(const std::vector<Sphere>& spheres, const TileRect& tile = {0
   for (const Sphere& sphere : spheres) scene.spheres.push_back({sphere, 0});
   const auto prepared = prepare<float>(scene, {.profile = profile_of(ProfileName::lab)});
   return ScreenBounds(prepared.store->scene, 100, 100).part_of(tile);
-}
-
-void expect_rect(const TileRect& rect, const TileRect& want) {
-  EXPECT_EQ(rect.x, want.x);
-  EXPECT_EQ(rect.y, want.y);
-  EXPECT_EQ(rect.width, want.width);
-  EXPECT_EQ(rect.height, want.height);
 }
 
 TEST(ScreenBounds, AreABoxAsItIsSeenAndAPixelMore) {

@@ -25,12 +25,12 @@ struct RenderArguments {
   std::string isa;
   bool quiet = false;
   ReadOptions files;
-  SamplingArguments sampling;           // for commands that add them
+  SamplingArguments sampling;  // for commands that add them
 
   void add_to(Command& command, Needs scene_needed = Needs::always);
 
-  /// The scene with the size and the sampling that were asked for; its warnings have been shown. Fails where an
-  /// output would be written over what is read, or over another output.
+  /// The scene with the size and the sampling that were asked for; its warnings have been shown.
+  /// Fails where an output would be written over what is read, or over another output.
   Result<Scene> load(const std::vector<std::string>& outputs,
                      std::vector<std::string> other_inputs = {}) const;
   /// The profile asked for, or the scene's.

@@ -111,18 +111,18 @@ void SamplingArguments::add_to(Command& command) {
   command.add("--grid", &grid, "N by N rays a pixel, in the middles of equal squares")
       .range(1, kMaxGrid);
   command
-      .add("--adaptive", &adaptive,
-           "MIN,MAX[,CONTRAST]: so many rays a pixel, and up to MAX where they or neighbours differ "
-           "by more than CONTRAST (0.02)")
+      .add(
+          "--adaptive", &adaptive,
+          "MIN,MAX[,CONTRAST]: so many rays a pixel, and up to MAX where they or neighbours differ "
+          "by more than CONTRAST (0.02)")
       .check("MIN,MAX or MIN,MAX,CONTRAST: 1 or more, MIN or more, 0 to 1",
              [](const std::string& list) { return adaptive_in(list).has_value(); });
   command
       .add("--filter", &filter, "how rays become a pixel: box, tent, gauss or mitchell (sharpest)")
       .one_of({"box", "tent", "gauss", "mitchell"});
   command.add("--seed", &seed, "another number draws other random numbers")
-      .check("a whole number from 0 to 4294967295", [](const std::string& word) {
-        return number_in<std::uint32_t>(word).has_value();
-      });
+      .check("a whole number from 0 to 4294967295",
+             [](const std::string& word) { return number_in<std::uint32_t>(word).has_value(); });
   command
       .add("--shadows", &shadows,
            "opaque, transparent (glass lets light through) or off (there are none)")

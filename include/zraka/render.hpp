@@ -120,8 +120,8 @@ struct Rendering {
 };
 
 /// Renders a scene. The picture's bits depend on scene, terms, profile, depth and sampling, and on
-/// nothing else; a crop has those of its part. Fails on options out of range, an instruction set that is not there, a scene that is
-/// inconsistent (see check()), and on cancellation.
+/// nothing else; a crop has those of its part. Fails on options out of range, an instruction set
+/// that is not there, a scene that is inconsistent (see check()), and on cancellation.
 Result<Rendering> render(const Scene& scene, const RenderOptions& options = {});
 /// The same for a scene that nobody needs any more: its memory is free before the hierarchy's is
 /// taken.

@@ -23,9 +23,9 @@ struct FisheyeCamera {
     if (away > kHalfTurn) return false;
     const double aside = away > 0 ? elementary::sin(away) / away : 1;
     ray.origin = in_double(camera.eye);
-    ray.direction = normalized(in_double(camera.first) * elementary::cos(away) +
-                               in_double(camera.right) * (x * aside) +
-                               in_double(camera.down) * (y * aside));
+    ray.direction =
+        normalized(in_double(camera.first) * elementary::cos(away) +
+                   in_double(camera.right) * (x * aside) + in_double(camera.down) * (y * aside));
     return true;
   }
 

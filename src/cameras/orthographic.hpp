@@ -10,8 +10,9 @@ namespace zraka {
 struct OrthographicCamera {
   template <class R>
   static bool ray(const FrozenCamera<R>& camera, const PicturePoint& at, CameraRay& ray) {
-    ray.origin = in_double(camera.eye) + ((in_double(camera.first) + in_double(camera.down) * at.row) +
-                                          in_double(camera.right) * at.column);
+    ray.origin =
+        in_double(camera.eye) + ((in_double(camera.first) + in_double(camera.down) * at.row) +
+                                 in_double(camera.right) * at.column);
     ray.direction = in_double(camera.ahead);
     return true;
   }

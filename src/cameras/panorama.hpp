@@ -23,8 +23,7 @@ struct PanoramaCamera {
   template <class R>
   static CameraCone cone(const FrozenCamera<R>& camera, const PicturePoint& at, const CameraRay&) {
     const double below = camera.angle_down + camera.step_down * at.row;
-    return {0, std::sqrt(camera.step_right * camera.step_down *
-                         std::fabs(elementary::cos(below)))};
+    return {0, std::sqrt(camera.step_right * camera.step_down * std::fabs(elementary::cos(below)))};
   }
 };
 

@@ -257,7 +257,8 @@ Result<Influence> influence(const Scene& scene, const RenderOptions& options,
                             const ShapeInScene& shape) {
   if (const Result<Isa> isa = isa_to_listen_to(scene, options); !isa)
     return tl::make_unexpected(isa.error());
-  if (const Result<void> good = check_lesson(scene); !good) return tl::make_unexpected(good.error());
+  if (const Result<void> good = check_lesson(scene); !good)
+    return tl::make_unexpected(good.error());
   try {
     const PreparedScene<float> prepared = prepare<float>(scene, options);
     const FrozenScene<float>& frozen = prepared.store->scene;

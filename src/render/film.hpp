@@ -40,10 +40,10 @@ class FilmPixel {
     for (int c = 0; c < 3; ++c) {
       const double positive = positive_count_ > 0 ? positive_[c] / positive_count_ : 0;
       const double negative = negative_count_ > 0 ? negative_[c] / negative_count_ : 0;
-      const double mean = negative_count_ == 0   ? positive
-                          : positive_count_ == 0 ? negative
-                                                 : filter.positive() * positive -
-                                                       filter.negative() * negative;
+      const double mean = negative_count_ == 0 ? positive
+                          : positive_count_ == 0
+                              ? negative
+                              : filter.positive() * positive - filter.negative() * negative;
       color[c] = static_cast<float>(mean);
     }
   }

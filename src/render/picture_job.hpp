@@ -64,12 +64,11 @@ class WorkProgress {
     if (!options_.progress) return;
     const std::uint64_t all = done_.fetch_add(done) + done;
     const std::uint64_t all_rays = rays_.fetch_add(rays) + rays;
-    options_.progress(
-        work_ == pixels_ ? all
-                         : static_cast<std::uint64_t>(static_cast<double>(all) /
-                                                      static_cast<double>(work_) *
-                                                      static_cast<double>(pixels_)),
-        pixels_, all_rays);
+    options_.progress(work_ == pixels_ ? all
+                                       : static_cast<std::uint64_t>(static_cast<double>(all) /
+                                                                    static_cast<double>(work_) *
+                                                                    static_cast<double>(pixels_)),
+                      pixels_, all_rays);
   }
 
  private:

@@ -42,9 +42,10 @@ std::string problem_with(const PixelRect& crop, const Resolution& size) {
   if (crop.width == 0 || crop.height == 0) return "the crop has no pixels";
   if (std::uint64_t{crop.x} + crop.width > size.width ||
       std::uint64_t{crop.y} + crop.height > size.height)
-    return fmt::format("the crop of {}×{} pixels from ({}, {}) on is not within the picture of "
-                       "{}×{} pixels",
-                       crop.width, crop.height, crop.x, crop.y, size.width, size.height);
+    return fmt::format(
+        "the crop of {}×{} pixels from ({}, {}) on is not within the picture of "
+        "{}×{} pixels",
+        crop.width, crop.height, crop.x, crop.y, size.width, size.height);
   return "";
 }
 

@@ -69,9 +69,9 @@ bool render_tiles(const PictureJob<R>& job, Rendering& rendering) {
                                          static_cast<float>(scene.background.y),
                                          static_cast<float>(scene.background.z)});
   tbb::enumerable_thread_specific<Worker<R>> workers([&] {
-    return Worker<R>{WorkspaceMemory<R>(job.tile * job.tile, job.settings.max_depth,
-                                        scene.textures != nullptr),
-                     {}};
+    return Worker<R>{
+        WorkspaceMemory<R>(job.tile * job.tile, job.settings.max_depth, scene.textures != nullptr),
+        {}};
   });
   const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
   WorkProgress progress(job.options, pixels, pixels);
@@ -123,8 +123,8 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   const TraceSettings settings = settings_of(options, prepared, variation);
   const bool plain = is_plain(frozen, options.sampling);
   const bool corners = plain && options.profile.average_corners;
-  PictureJob<R> job{frozen,     kernel, settings, options, resolution, part_of(options, resolution),
-                    tile, threads};
+  PictureJob<R> job{frozen, kernel, settings, options, resolution, part_of(options, resolution),
+                    tile,   threads};
   if (corners) ++job.part.width, ++job.part.height;
   // Not before: while a scene is frozen, memory is fullest.
   rendering.image = Image(static_cast<std::uint32_t>(job.part.width),
@@ -152,10 +152,9 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
 
   const Resolution resolution = scene.resolution;
   const TileRect part = part_of(options, resolution);
-  const int tile = options.tile == 0
-                       ? chosen_tile(static_cast<std::uint32_t>(part.width),
-                                     static_cast<std::uint32_t>(part.height), threads)
-                       : options.tile;
+  const int tile = options.tile == 0 ? chosen_tile(static_cast<std::uint32_t>(part.width),
+                                                   static_cast<std::uint32_t>(part.height), threads)
+                                     : options.tile;
   const std::uint64_t shapes = scene.shape_count();
   Rendering rendering;
   try {

@@ -56,10 +56,10 @@ class SampleTracer {
       for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
         note_cut(static_cast<double>(memory_.general->workspace().rays[0][i].cut));
     for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
-      waiting_[i].pixel->add({{static_cast<float>(level.rays.r[i]),
-                               static_cast<float>(level.rays.g[i]),
-                               static_cast<float>(level.rays.b[i])},
-                              waiting_[i].negative});
+      waiting_[i].pixel->add(
+          {{static_cast<float>(level.rays.r[i]), static_cast<float>(level.rays.g[i]),
+            static_cast<float>(level.rays.b[i])},
+           waiting_[i].negative});
     count_ = 0;
   }
 
@@ -99,7 +99,8 @@ class SampledPicture {
         bounds_(job.bounds(samples_.filter().radius())),
         tracers_([this] { return SampleTracer<R>(job_, samples_); }) {}
 
-  /// As many samples for each pixel: tile by tile, and a tile's film is all that there is at a time.
+  /// As many samples for each pixel: tile by tile, and a tile's film is all that there is at a
+  /// time.
   bool render_evenly() {
     const std::uint64_t area = area_of(job_.part);
     WorkProgress progress(job_.options, area, area);
@@ -108,8 +109,8 @@ class SampledPicture {
       std::vector<FilmPixel>& film = films.local();
       film.assign(area_of(tile), FilmPixel());
       const Film in_tile{film.data(), tile};
-      const std::uint64_t rays = trace(tile, in_tile, samples_.count(),
-                                       [](std::int32_t, std::int32_t) { return true; });
+      const std::uint64_t rays =
+          trace(tile, in_tile, samples_.count(), [](std::int32_t, std::int32_t) { return true; });
       develop(tile, in_tile);
       progress.add(area_of(tile), rays);
     });
@@ -138,8 +139,7 @@ class SampledPicture {
       if (pass > 0 && !each_tile_of(region, [&](const TileRect& tile) {
             each_pixel(tile, [&](std::int32_t x, std::int32_t y) {
               const FilmPixel& pixel = film.at(tile.x + x, tile.y + y);
-              pixel.mean(samples_.filter(),
-                         means.data() + 3 * (&pixel - pixels.data()));
+              pixel.mean(samples_.filter(), means.data() + 3 * (&pixel - pixels.data()));
             });
           }))
         return false;
@@ -201,7 +201,8 @@ class SampledPicture {
         tracer.add(x, y, pixel.count(), target, pixel);
         return;
       }
-      for (std::uint32_t n = pixel.count(); n < target; ++n) pixel.add(empty), ++tracer.counts.camera;
+      for (std::uint32_t n = pixel.count(); n < target; ++n)
+        pixel.add(empty), ++tracer.counts.camera;
     });
     tracer.flush();
     return tracer.counts.total() - before;
@@ -220,10 +221,10 @@ class SampledPicture {
   TileRect with_margin(std::int32_t margin) const {
     const TileRect& part = job_.part;
     const std::int32_t left = std::max(part.x - margin, 0), top = std::max(part.y - margin, 0);
-    const std::int32_t right = std::min(part.x + part.width + margin,
-                                        static_cast<std::int32_t>(job_.resolution.width));
-    const std::int32_t bottom = std::min(part.y + part.height + margin,
-                                         static_cast<std::int32_t>(job_.resolution.height));
+    const std::int32_t right =
+        std::min(part.x + part.width + margin, static_cast<std::int32_t>(job_.resolution.width));
+    const std::int32_t bottom =
+        std::min(part.y + part.height + margin, static_cast<std::int32_t>(job_.resolution.height));
     return {left, top, right - left, bottom - top};
   }
 

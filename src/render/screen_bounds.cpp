@@ -23,8 +23,8 @@ double reach_of(const V3<double>& v) {
 }  // namespace
 
 /// From points to pixels: eye + s·(first + right·column + down·row), solved for s, s·column and
-/// s·row by Cramer's rule; of an orthographic camera eye + first + right·column + down·row + ahead·s,
-/// solved for s, column and row.
+/// s·row by Cramer's rule; of an orthographic camera eye + first + right·column + down·row +
+/// ahead·s, solved for s, column and row.
 struct ScreenBounds::Projection {
   V3<double> eye, to_s, to_column, to_row;
   double column_margin, row_margin;

@@ -4,6 +4,7 @@
 // samples of its neighbours.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 #include <zraka/sampling.hpp>
 
@@ -36,6 +37,8 @@ class PixelFilterShape {
   double radius_, step_;
   /// Densities at equal steps from the middle to the radius, linear between; and their integral.
   std::vector<double> density_, integral_;
+  /// For equal parts of the integral, in which step they begin.
+  std::vector<std::uint16_t> guide_;
   double sign_change_;  ///< how far from the middle f becomes negative; 0: nowhere
   double negative_;
 };

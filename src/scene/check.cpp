@@ -195,9 +195,10 @@ std::uint64_t count_bodies(const Scene& scene) {
 /// Words for what is wrong with a camera whose vectors are finite, and "" if nothing is.
 std::string problem_with(const Camera& camera) {
   if (camera.kind == CameraKind::fisheye && !(camera.fov_deg > 0 && camera.fov_deg <= 360))
-    return fmt::format("the fisheye camera's angle of view is {}°: more than 0 and at most 360 are "
-                       "possible",
-                       camera.fov_deg);
+    return fmt::format(
+        "the fisheye camera's angle of view is {}°: more than 0 and at most 360 are "
+        "possible",
+        camera.fov_deg);
   if (!(camera.aperture >= 0 && camera.aperture <= kFarthest))
     return fmt::format("the lens' diameter is {}: 0 or more is possible", camera.aperture);
   if (camera.aperture > 0 && !(camera.focus_distance > 0 && camera.focus_distance <= kFarthest))
@@ -205,8 +206,7 @@ std::string problem_with(const Camera& camera) {
                        camera.focus_distance);
   if (camera.kind == CameraKind::pinhole && camera.aperture == 0) return "";
   const bool window = camera.kind != CameraKind::fisheye && camera.kind != CameraKind::panorama;
-  if (!ViewAxes(camera).good() ||
-      (window && !spans_a_plane(camera.window_right, camera.window_up)))
+  if (!ViewAxes(camera).good() || (window && !spans_a_plane(camera.window_right, camera.window_up)))
     return "the camera looks nowhere, or straight up: its eye, its window's middle and up span no "
            "plane";
   return "";

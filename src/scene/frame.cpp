@@ -129,8 +129,8 @@ Frame frame_of(const Scene& scene) {
   if (!(all.nearest < Bounds::kInfinity)) return Frame::around(middle, all.bounds);
 
   const Vec3 seen = view.point_at(all.nearest);
-  const bool good = length_of(vector_between(seen, middle)) <=
-                    kMostWidths * view.width_at(all.nearest);
+  const bool good =
+      length_of(vector_between(seen, middle)) <= kMostWidths * view.width_at(all.nearest);
   Frame frame = Frame::around(good ? middle : seen, all.bounds);
   if (frame.length(all.smallest) < kLeastSeen) {
     int exponent = 0;

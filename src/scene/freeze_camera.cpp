@@ -44,7 +44,8 @@ void add_lens(const Camera& camera, const Window& window, const Frame& frame,
               FrozenCamera<R>& frozen) {
   // The lens and what is in focus are parallel to the window, which is perpendicular to the view in
   // most cameras, and shifted in others.
-  const V3<double> u = unit_vector(window.right), v = unit_vector(window.up - u * dot(window.up, u));
+  const V3<double> u = unit_vector(window.right),
+                   v = unit_vector(window.up - u * dot(window.up, u));
   const double radius = frame.length(camera.aperture) / 2;
   frozen.lens_right = narrowed<R>(u * radius);
   frozen.lens_down = narrowed<R>(v * -radius);

@@ -44,7 +44,8 @@ ViewCone::ViewCone(const Camera& camera, const Resolution& resolution) : eye(cam
       const double aspect = static_cast<double>(resolution.width) / resolution.height;
       const double angle =
           camera.fov_deg / 2 * (3.14159265358979323846 / 180) * std::sqrt(1 + aspect * aspect);
-      cosine_ = elementary::cos(std::min(angle, 3.0)), sine_ = elementary::sin(std::min(angle, 3.0));
+      cosine_ = elementary::cos(std::min(angle, 3.0)),
+      sine_ = elementary::sin(std::min(angle, 3.0));
       known_ = cosine_ > 0 && length_of(center) > 0;
       return;
     }
