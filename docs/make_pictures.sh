@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# make_pictures.sh PROGRAM: brings shapes.md and textures.md beside it up to date with what the program does. Every
-# scene of a ```toml block below a line <!-- picture: NAME -->, with the page's <!-- head --> before it, is drawn into
-# pictures/shapes/NAME.png; every table below a line <!-- keys: KIND --> becomes that of the language's reference.
+# make_pictures.sh PROGRAM: brings pages beside it up to date with what the program does. Every scene of a ```toml block
+# below a line <!-- picture: NAME -->, with the page's <!-- head --> before it, is drawn into a folder of pictures; every
+# table below a line <!-- keys: KIND --> becomes that of the language's reference; the one below <!-- thresholds --> is
+# measured.
 set -eu
 zraka=$(realpath "$1")
 cd "$(dirname "$0")"
@@ -32,9 +33,10 @@ write_tables() {
   cmp -s "$folder/page" "$1" || cp "$folder/page" "$1"
 }
 
-# draw PAGE
+# draw PAGE FOLDER: the latter is in pictures/.
 draw() {
   local scenes=$folder/${1%.md} scene
+  mkdir -p "pictures/$2"
   mkdir "$scenes" "$scenes/drawn"
   cp examples/* "$scenes/drawn/"
   awk -v folder="$scenes" '
@@ -46,13 +48,46 @@ draw() {
   for scene in "$scenes"/scene.*; do
     name=${scene##*/scene.}
     cat "$scenes/head" "$scene" >"$scenes/drawn/$name.toml"
-    "$zraka" render "$scenes/drawn/$name.toml" -o "pictures/shapes/$name.png" >"$folder/words" 2>&1 ||
+    "$zraka" render "$scenes/drawn/$name.toml" -o "pictures/$2/$name.png" >"$folder/words" 2>&1 ||
       { echo "$1: $name:"; cat "$folder/words"; exit 1; }
   done
 }
 
-mkdir -p pictures/shapes
+# write_thresholds PAGE: what min_contribution saves, and what it costs.
+write_thresholds() {
+  local scene name t rays all
+  number() { sed -n "s/.*\"$1\": \([0-9.e-]*\).*/\1/p" "$2" | head -n 1; }
+  {
+    echo '| scene | t | reflected and refracted rays | saved | largest error | mean error |'
+    echo '|---|--:|--:|--:|--:|--:|'
+    for scene in lab/input.txt lab/bubble.txt ice.toml; do
+      name=$(basename "$scene")
+      all=
+      for t in 0 1/1024 1/255 1/64; do
+        "$zraka" render "../scenes/$scene" -o "$folder/$name.${t//\//.}.png" --width 160 --samples 1 --max-depth 12 \
+          --min-contribution "$(awk "BEGIN { print $t }")" --stats=json -q >"$folder/stats"
+        rays=$(($(number reflected "$folder/stats") + $(number refracted "$folder/stats")))
+        all=${all:-$rays}
+        "$zraka" compare "$folder/$name.0.png" "$folder/$name.${t//\//.}.png" --format json >"$folder/compared" || true
+        awk -v scene="$name" -v t="$t" -v rays="$rays" -v all="$all" -v largest="$(number largest "$folder/compared")" \
+          -v mean="$(number mean "$folder/compared")" \
+          'BEGIN { printf "| %s | %s | %d | %.0f %% | %d | %.4f |\n", scene, t, rays, 100 - 100 * rays / all, largest, mean }'
+      done
+    done
+  } >"$folder/table"
+  awk -v table="$folder/table" '
+    skipping && (/^\|/ || /^$/) { next }
+    skipping { skipping = 0; print "" }
+    { print }
+    /^<!-- thresholds -->$/ { print ""; while ((getline line < table) > 0) print line; skipping = 1 }' "$1" >"$folder/page"
+  cmp -s "$folder/page" "$1" || cp "$folder/page" "$1"
+}
+
 write_tables shapes.md '[[shape]]'
 write_tables textures.md '[texture.NAME]'
-draw shapes.md
-draw textures.md
+write_tables lights.md '[[light]]'
+draw shapes.md shapes
+draw textures.md shapes
+draw lights.md lights
+draw glass.md glass
+write_thresholds depth.md
