@@ -87,6 +87,14 @@ const Kernel<float>& kernel_of([[maybe_unused]] Isa isa) {
   return isa_portable::kKernel;
 }
 
+TraceFirstHitsOfTile<float>& first_hits_of([[maybe_unused]] Isa isa) {
+#if defined(ZRAKA_HAVE_X86)
+  if (isa == Isa::avx512) return isa_avx512::trace_first_hits_of_tile;
+  if (isa == Isa::avx2) return isa_avx2::trace_first_hits_of_tile;
+#endif
+  return isa_portable::trace_first_hits_of_tile;
+}
+
 RecordTile<float>& record_tile() {
   return isa_portable::record_tile;
 }

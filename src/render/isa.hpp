@@ -5,6 +5,7 @@
 #include <zraka/render.hpp>
 
 #include "engine/engine.hpp"
+#include "engine/first_hits.hpp"
 
 namespace zraka {
 
@@ -14,6 +15,8 @@ Result<Isa> choose_isa(std::optional<Isa> wanted);
 
 /// The engine for an available instruction set; not for Isa::oracle.
 const Kernel<float>& kernel_of(Isa isa);
+/// First hits by the engine for an available instruction set.
+TraceFirstHitsOfTile<float>& first_hits_of(Isa isa);
 /// The engine that tells its terms; its bits are those of all sets.
 RecordTile<float>& record_tile();
 

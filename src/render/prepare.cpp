@@ -27,6 +27,8 @@ Diagnostics check_request(const Scene& scene, const RenderOptions& options) {
   in_range("depth", options.max_depth, 0, kMaxDepth);
   in_range("number of threads", options.threads, 0, kMaxThreads);
   in_range("tile side", options.tile, 0, kMaxTile);
+  if (options.transparent && !options.sampling.is_single())
+    found.push_back({.message = "a transparent picture has one sample a pixel"});
   for (Diagnostic& problem : check(scene)) found.push_back(std::move(problem));
   return found;
 }

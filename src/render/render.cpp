@@ -9,12 +9,14 @@
 #include <chrono>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 #include <zraka/render.hpp>
 
 #include "core/spread.hpp"
 #include "render/corners.hpp"
 #include "render/isa.hpp"
+#include "render/layers.hpp"
 #include "render/prepare.hpp"
 #include "render/screen_bounds.hpp"
 #include "render/tiles.hpp"
@@ -114,12 +116,15 @@ bool render_tiles(const FrozenScene<R>& scene, const Kernel<R>& kernel,
 }
 
 template <class R, class SceneRef>
-bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOptions& options,
-                       int tile, int threads, int variation, Rendering& rendering) {
+bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel,
+                       TraceFirstHitsOfTile<R>& first_hits, const RenderOptions& options, int tile,
+                       int threads, int variation, Rendering& rendering) {
   const auto start = std::chrono::steady_clock::now();
   const Resolution resolution = scene.resolution;
   if (options.bind_threads && scene.shape_count() >= kManyShapes) spread_workers(threads);
-  const PreparedScene<R> prepared = prepare<R>(std::forward<SceneRef>(scene), options.profile);
+  const PreparedScene<R> prepared =
+      need_scene(options.layers) ? prepare<R>(std::as_const(scene), options.profile)
+                                 : prepare<R>(std::forward<SceneRef>(scene), options.profile);
   rendering.stats.build_seconds = seconds_since(start);
   rendering.stats.scene_bytes = prepared.store->bytes();
   rendering.stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node) +
@@ -129,9 +134,11 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   const std::uint32_t more = options.profile.average_corners ? 1 : 0;
   rendering.image = Image(resolution.width + more, resolution.height + more);
   const auto traced = std::chrono::steady_clock::now();
+  const TraceSettings settings = settings_of(options, prepared.frame, variation);
   const bool complete =
-      render_tiles(prepared.store->scene, kernel, settings_of(options, prepared.frame, variation),
-                   options, tile, threads, rendering);
+      render_tiles(prepared.store->scene, kernel, settings, options, tile, threads, rendering) &&
+      make_layers<R>({&scene, prepared, kernel, first_hits, settings, options, tile, threads},
+                     rendering);
   if (complete && options.profile.average_corners)
     rendering.image = means_of_corners(std::move(rendering.image));
   rendering.stats.render_seconds = seconds_since(traced);
@@ -152,6 +159,7 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
   if (*isa == Isa::oracle && variation.kernel != nullptr)
     return failure("", "the oracle keeps to the rules", "ask for avx512, avx2 or portable");
 
+
   const Resolution resolution = scene.resolution;
   const int tile =
       options.tile == 0 ? chosen_tile(resolution.width, resolution.height, threads) : options.tile;
@@ -162,12 +170,13 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
     rendering.stats.threads = threads;
     const bool complete =
         *isa == Isa::oracle
-            ? freeze_and_render<double>(std::forward<SceneRef>(scene), isa_oracle::kKernel, options,
-                                        tile, threads, 0, rendering)
+            ? freeze_and_render<double>(std::forward<SceneRef>(scene), isa_oracle::kKernel,
+                                        isa_oracle::trace_first_hits_of_tile, options, tile,
+                                        threads, 0, rendering)
             : freeze_and_render<float>(
                   std::forward<SceneRef>(scene),
-                  variation.kernel == nullptr ? kernel_of(*isa) : *variation.kernel, options, tile,
-                  threads, variation.number, rendering);
+                  variation.kernel == nullptr ? kernel_of(*isa) : *variation.kernel,
+                  first_hits_of(*isa), options, tile, threads, variation.number, rendering);
     if (!complete) return failure("", "the render was cancelled");
   } catch (const std::bad_alloc&) {
     return failure("", fmt::format("not enough memory for a picture of {}×{} pixels and {} shapes",
@@ -188,6 +197,8 @@ Result<Rendering> render(Scene&& scene, const RenderOptions& options) {
 
 Result<Rendering> render_varied(const Scene& scene, const RenderOptions& options,
                                 const Variation& variation) {
+  if (options.transparent || !options.layers.empty())
+    return failure("", "layers and transparent pictures are those of the right rules");
   Scene varied = scene;
   if (variation.vary_scene) variation.vary_scene(varied);
   RenderOptions other = options;
