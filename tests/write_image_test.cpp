@@ -56,6 +56,7 @@ Image light(std::uint32_t width = 37, std::uint32_t height = 21) {
   Image image(width, height);
   std::mt19937 random(5);
   for (float& value : image.pixels) value = static_cast<float>(random() % 3000) / 2000.0f;
+  if (image.pixels.size() < 9) return image;
   image.pixels[0] = -1;
   image.pixels[4] = std::nanf("");
   image.pixels[8] = std::numeric_limits<float>::infinity();
@@ -71,9 +72,9 @@ std::vector<T> exr_channel(const std::string& path, const std::string& name) {
   const auto height = static_cast<std::size_t>(window.max.y + 1);
   std::vector<T> values(width * height);
   Imf::FrameBuffer buffer;
-  buffer.insert(name, Imf::Slice(std::is_same_v<T, float> ? Imf::FLOAT : Imf::UINT,
-                                 reinterpret_cast<char*>(values.data()), sizeof(T),
-                                 sizeof(T) * width));
+  buffer.insert(name,
+                Imf::Slice(std::is_same_v<T, float> ? Imf::FLOAT : Imf::UINT,
+                           reinterpret_cast<char*>(values.data()), sizeof(T), sizeof(T) * width));
   file.setFrameBuffer(buffer);
   file.readPixels(window.min.y, window.max.y);
   return values;
@@ -217,7 +218,8 @@ Layers layers_of(const Image& image) {
     depth[i] = 1 + static_cast<float>(i) / 7;
     ids[i] = 0xFFFFFFFFu - static_cast<std::uint32_t>(i);
   }
-  layers.channels = {{"A", alpha, true}, {"Z", depth}, {"objectId.X", ids}, {"normal.X", depth, true}};
+  layers.channels = {
+      {"A", alpha, true}, {"Z", depth}, {"objectId.X", ids}, {"normal.X", depth, true}};
   layers.notes = {{"cryptomatte/0123456/name", "CryptoObject"}};
   return layers;
 }
@@ -325,8 +327,9 @@ TEST_F(WriteImage, SaysWhatCannotBeWritten) {
   EXPECT_EQ(error("a.png", {}, {}, Image()),
             "a.png: error: cannot be written: a picture without pixels\n");
   EXPECT_EQ(error(path("none/a.ppm")),
-            path("none/a.ppm") + ": error: cannot be written: No such file or directory\n  is the "
-                                 "folder there?\n");
+            path("none/a.ppm") +
+                ": error: cannot be written: No such file or directory\n  does "
+                "its folder exist?\n");
   EXPECT_FALSE(fs::exists("a.tif") || fs::exists("a.jpg") || fs::exists("a.png"));
 }
 

@@ -24,11 +24,11 @@ struct Arguments : RenderArguments {
   std::string stage = "refraction", mistake;
   int bits = 0;  // 0: the format's own
   bool transparent = false;
-  std::string layers;                // names with commas between them, or "all"
-  std::string tone_map;              // "": clamp
-  double exposure = 0, white = 0;    // 0: the curve's own
-  int jpeg_quality = 0;              // 0: the usual one
-  std::string stats;                 // "", "text" or "json"
+  std::string layers;              // names with commas between them, or "all"
+  std::string tone_map;            // "": clamp
+  double exposure = 0, white = 0;  // 0: the curve's own
+  int jpeg_quality = 0;            // 0: the usual one
+  std::string stats;               // "", "text" or "json"
 };
 
 struct Seconds {
@@ -186,8 +186,9 @@ void add_render(Command& program) {
   app.add("--transparent", &arguments->transparent,
           "no background, but alpha that says where shapes are (.png, .exr)");
   app.add("--layers", &arguments->layers,
-          fmt::format("what else to store of each pixel (.exr): {}; with commas between them, or all",
-                      fmt::join(kLayerNames, ", ")))
+          fmt::format(
+              "what else to store of each pixel (.exr): {}; with commas between them, or all",
+              fmt::join(kLayerNames, ", ")))
       .check(fmt::format("a list of {}, with commas between them, or all",
                          fmt::join(kLayerNames, ", ")),
              [](const std::string& list) { return !list.empty() && layers_named(list); });
@@ -197,10 +198,11 @@ void add_render(Command& program) {
              [](const std::string& name) { return tone_curve_named(name).has_value(); });
   app.add("--exposure", &arguments->exposure, "in stops: 1 doubles the light before it is mapped")
       .range(-100, 100);
-  app.add("--white", &arguments->white,
-          fmt::format("the light that becomes white with --tone-map reinhard (default {}) or filmic "
-                      "({})",
-                      kReinhardWhite, kFilmicWhite))
+  app.add(
+         "--white", &arguments->white,
+         fmt::format("the light that becomes white with --tone-map reinhard (default {}) or filmic "
+                     "({})",
+                     kReinhardWhite, kFilmicWhite))
       .range(1e-6, 1e6);
   app.add("--jpeg-quality", &arguments->jpeg_quality, "1…100 (default 95)").range(1, 100);
   app.add_flag("--stats", "text", arguments->stats,

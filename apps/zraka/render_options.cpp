@@ -49,12 +49,12 @@ void check_picture_name(Option option) {
   for (const PictureFormat& format : picture_formats())
     for (const std::string_view ending : format.endings)
       endings += fmt::format("{}{}", endings.empty() ? "" : ", ", ending);
-  check_no_terminal(option.check(
-      fmt::format("the name of a picture that can be written: known are {}", endings),
-      [](const std::string& path) {
-        std::error_code ignored;  // a folder has an error of its own
-        return picture_format_of(path) || std::filesystem::is_directory(path, ignored);
-      }));
+  check_no_terminal(
+      option.check(fmt::format("the name of a picture that can be written: known are {}", endings),
+                   [](const std::string& path) {
+                     std::error_code ignored;  // a folder has an error of its own
+                     return picture_format_of(path) || std::filesystem::is_directory(path, ignored);
+                   }));
 }
 
 std::optional<Stage> stage_named(const std::string& word) {

@@ -27,8 +27,8 @@ enum class Layer : std::uint8_t {
 
 /// In the order of Layer: what people call them.
 inline constexpr std::array<std::string_view, 9> kLayerNames = {
-    "depth", "position", "normal", "uv", "object-id", "material-id", "rays", "tree-depth",
-    "cryptomatte"};
+    "depth",       "position", "normal",     "uv",         "object-id",
+    "material-id", "rays",     "tree-depth", "cryptomatte"};
 std::optional<Layer> layer_named(std::string_view name);
 
 /// What Layer::depth has where nothing is hit: Blender's, since infinity breaks its filters.
@@ -59,11 +59,11 @@ class LayerSet {
 ///   objectId.X, materialId.X, rays.X, treeDepth.X
 ///   CryptoObject00.R …G …B …A
 ///
-/// R, G, B, A and Z without a layer are what OpenEXR's "Technical Introduction" reserves for colour,
-/// opacity and depth; Blender takes them for its passes Combined and Depth, Nuke for rgba and
-/// depth.Z. All others are LAYER.CHANNEL with a channel of one letter, since Blender passes over
-/// most longer ones (imb_exr_split_channel_name() in its openexr_api.cpp), and with letters and
-/// digits only, since Nuke makes underscores of the rest (ExrChannelNameToNuke.cpp in its NDK).
+/// R, G, B, A and Z without a layer are what OpenEXR's "Technical Introduction" reserves for
+/// colour, opacity and depth; Blender takes them for its passes Combined and Depth, Nuke for rgba
+/// and depth.Z. All others are LAYER.CHANNEL with a channel of one letter, since Blender passes
+/// over most longer ones (imb_exr_split_channel_name() in its openexr_api.cpp), and with letters
+/// and digits only, since Nuke makes underscores of the rest (ExrChannelNameToNuke.cpp in its NDK).
 struct Channel {
   std::string name;
   std::variant<std::vector<float>, std::vector<std::uint32_t>> values;

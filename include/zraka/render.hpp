@@ -74,10 +74,10 @@ struct RenderOptions {
   /// What Rendering::layers shall hold besides: of one ray through each pixel, its centre, or its
   /// corner where the profile says so, however many samples the picture has.
   LayerSet layers{};
-  /// No light comes from where a ray from the eye hits nothing: the picture's colours are multiplied
-  /// by channel A of its layers, which says how much of each pixel is covered.
+  /// No light comes from where a ray from the eye hits nothing: the picture's colours are
+  /// multiplied by channel A of its layers, which says how much of each pixel is covered.
   bool transparent = false;
-  int threads = 0;    ///< 0: as many as the machine has
+  int threads = 0;  ///< 0: as many as the machine has
   /// May each thread, the caller's too, be bound to a processor while it works? Faster in a program
   /// that does nothing else meanwhile.
   bool bind_threads = false;
@@ -113,9 +113,9 @@ struct Rendering {
   Layers layers;  ///< those that were asked for
 };
 
-/// Renders a scene. The bits of picture and layers depend on scene, terms, profile and depth, and on
-/// nothing else. Fails on options out of range, an instruction set that is not there, a scene that is
-/// inconsistent (see check()), and on cancellation.
+/// Renders a scene. The bits of picture and layers depend on scene, terms, profile and depth, and
+/// on nothing else. Fails on options out of range, an instruction set that is not there, a scene
+/// that is inconsistent (see check()), and on cancellation.
 Result<Rendering> render(const Scene& scene, const RenderOptions& options = {});
 /// The same for a scene that nobody needs any more: its memory is free before the hierarchy's is
 /// taken.

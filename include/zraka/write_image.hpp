@@ -34,7 +34,7 @@ struct ToneMapping {
 inline constexpr double kReinhardWhite = 4, kFilmicWhite = 5.6;
 
 struct WriteOptions {
-  int bits = 0;  ///< of a value; 0: what the format usually has
+  int bits = 0;                        ///< of a value; 0: what the format usually has
   Transfer transfer = Transfer::srgb;  ///< of integers; floats are linear light
   ToneMapping tone{};                  ///< of integers
   int jpeg_quality = 95;               ///< 1…100
@@ -58,8 +58,8 @@ std::optional<PictureFormat> picture_format_of(const std::string& path);
 /// Writes a picture in the format that its name ends with, beside that name, then renamed: a
 /// failure leaves an old file as it was. The same picture gives the same bytes, without dates.
 /// The picture's colours are multiplied by the layers' alpha, if they have any: so OpenEXR stores
-/// them, integers are divided by it. "-" is standard output. Fails where the format cannot hold what
-/// is asked for.
+/// them, integers are divided by it. "-" is standard output. Fails where the format cannot hold
+/// what is asked for.
 Result<void> write_image(const Image& image, const Layers& layers, const std::string& path,
                          const WriteOptions& options = {});
 

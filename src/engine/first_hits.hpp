@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What rays from the eye hit first, without their trees: for who wants to know what is in a picture.
+// What rays from the eye hit first, without their trees: for who wants to know what is in a
+// picture.
 #pragma once
 
 #include "engine/engine.hpp"

@@ -103,10 +103,9 @@ bool ExrWriter::start() {
   int part = 0;
   if (!good(exr_start_write(&context_, "picture", EXR_WRITE_FILE_DIRECTLY, &start)) ||
       !good(exr_add_part(context_, nullptr, EXR_STORAGE_SCANLINE, &part)) ||
-      !good(exr_initialize_required_attr_simple(context_, part,
-                                                static_cast<std::int32_t>(image.width),
-                                                static_cast<std::int32_t>(image.height),
-                                                EXR_COMPRESSION_ZIP)))
+      !good(exr_initialize_required_attr_simple(
+          context_, part, static_cast<std::int32_t>(image.width),
+          static_cast<std::int32_t>(image.height), EXR_COMPRESSION_ZIP)))
     return false;
   for (const Source& source : sources_)
     if (!good(exr_add_channel(context_, part, source.name.c_str(), source.stored,
@@ -128,9 +127,8 @@ bool ExrWriter::write_block(std::uint32_t y) {
   for (int i = 0; i < encoder_.channel_count; ++i) {
     exr_coding_channel_info_t& channel = encoder_.channels[i];
     // The library has put them in the order of their names.
-    Source& source = *std::find_if(sources_.begin(), sources_.end(), [&](const Source& s) {
-      return s.name == channel.channel_name;
-    });
+    Source& source = *std::find_if(sources_.begin(), sources_.end(),
+                                   [&](const Source& s) { return s.name == channel.channel_name; });
     const auto lies_at = [&](const void* values, std::size_t size, std::size_t step) {
       channel.user_bytes_per_element = static_cast<std::int16_t>(size);
       channel.user_data_type = static_cast<std::uint16_t>(source.stored);
@@ -169,8 +167,9 @@ std::string put_exr(std::FILE* stream, const PictureToWrite& picture, const Writ
   ExrWriter writer(picture, options.bits == 16);
   const std::string bytes = writer.write();
   if (bytes.empty()) return shown(writer.message());
-  std::fwrite(bytes.data(), 1, bytes.size(), stream);
-  return stream_problem(stream);
+  ByteStream out(stream);
+  out.put(bytes);
+  return out.problem();
 }
 
 }  // namespace zraka

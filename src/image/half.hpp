@@ -27,7 +27,7 @@ inline std::uint16_t half_of(float value) {
     const std::uint32_t half = rounded(size - 0x38000000, 13);
     return with_sign(half < 0x7C00 ? half : 0x7BFF);
   }
-  if (size < 0x33000000) return with_sign(0);  // less than half of 2^-24
+  if (size < 0x33000000) return with_sign(0);         // less than half of 2^-24
   const int exponent = static_cast<int>(size >> 23);  // 102…112
   return with_sign(rounded((size & 0x7FFFFF) | 0x800000, 126 - exponent));
 }

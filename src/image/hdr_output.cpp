@@ -63,12 +63,13 @@ void put_channel(const std::vector<Rgbe>& line, std::size_t channel,
 
 std::string put_hdr(std::FILE* stream, const PictureToWrite& picture, const WriteOptions&) {
   const Image& image = picture.image;
-  fmt::print(stream, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", image.height,
-             image.width);
+  ByteStream out(stream);
+  out.put(fmt::format("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", image.height,
+                      image.width));
   const bool runs = image.width >= 8 && image.width < 0x8000;
   std::vector<Rgbe> line(image.width);
   std::vector<unsigned char> bytes;
-  for (std::uint32_t y = 0; y < image.height && std::ferror(stream) == 0; ++y) {
+  for (std::uint32_t y = 0; y < image.height; ++y) {
     for (std::uint32_t x = 0; x < image.width; ++x)
       line[x] = rgbe_of(image.row(y) + std::size_t{3} * x);
     bytes.clear();
@@ -79,9 +80,9 @@ std::string put_hdr(std::FILE* stream, const PictureToWrite& picture, const Writ
     } else {
       for (const Rgbe& pixel : line) bytes.insert(bytes.end(), pixel.begin(), pixel.end());
     }
-    std::fwrite(bytes.data(), 1, bytes.size(), stream);
+    if (!out.put(bytes.data(), bytes.size())) break;
   }
-  return stream_problem(stream);
+  return out.problem();
 }
 
 }  // namespace zraka

@@ -7,7 +7,9 @@
 #include <jpeglib.h>
 
 #include <array>
+#include <cerrno>
 #include <csetjmp>
+#include <cstring>
 #include <vector>
 
 #include "image/stored_pixels.hpp"
@@ -20,10 +22,12 @@ struct Errors {
   jpeg_error_mgr manager;
   std::jmp_buf back;
   std::array<char, JMSG_LENGTH_MAX> text;
+  int error;  ///< errno
 };
 
 [[noreturn]] void on_error(j_common_ptr jpeg) {
   auto* errors = reinterpret_cast<Errors*>(jpeg->err);
+  errors->error = errno;
   errors->manager.format_message(jpeg, errors->text.data());
   std::longjmp(errors->back, 1);  // NOLINT: libjpeg's way
 }
@@ -42,8 +46,7 @@ bool put_rows(jpeg_compress_struct& jpeg, Errors& errors, std::FILE* stream,
   jpeg.in_color_space = JCS_RGB;
   jpeg_set_defaults(&jpeg);
   jpeg_set_quality(&jpeg, quality, TRUE);
-  for (int c = 0; c < 3; ++c)
-    jpeg.comp_info[c].h_samp_factor = jpeg.comp_info[c].v_samp_factor = 1;
+  for (int c = 0; c < 3; ++c) jpeg.comp_info[c].h_samp_factor = jpeg.comp_info[c].v_samp_factor = 1;
   jpeg.dct_method = JDCT_ISLOW;
   jpeg.optimize_coding = TRUE;
   jpeg_start_compress(&jpeg, TRUE);
@@ -67,11 +70,11 @@ std::string put_jpeg(std::FILE* stream, const PictureToWrite& picture,
   errors.manager.output_message = print_nothing;
   const StoredPixels pixels(picture.image, nullptr, options);
   std::vector<unsigned char> row(pixels.bytes() * picture.image.width);
-  const bool good = put_rows(jpeg, errors, stream, pixels, picture.image, options.jpeg_quality,
-                             row.data());
+  const bool good =
+      put_rows(jpeg, errors, stream, pixels, picture.image, options.jpeg_quality, row.data());
   jpeg_destroy_compress(&jpeg);
-  const std::string problem = stream_problem(stream);
-  return good || !problem.empty() ? problem : errors.text.data();
+  if (good) return ByteStream(stream).problem();
+  return std::ferror(stream) != 0 ? std::strerror(errors.error) : errors.text.data();
 }
 
 }  // namespace zraka

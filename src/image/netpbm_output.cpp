@@ -14,27 +14,30 @@ namespace zraka {
 std::string put_ppm(std::FILE* stream, const PictureToWrite& picture, const WriteOptions& options) {
   const Image& image = picture.image;
   const StoredPixels pixels(image, nullptr, options);
-  fmt::print(stream, "P6\n{} {}\n{}\n", image.width, image.height,
-             options.bits == 16 ? 65535 : 255);
+  ByteStream out(stream);
+  out.put(
+      fmt::format("P6\n{} {}\n{}\n", image.width, image.height, options.bits == 16 ? 65535 : 255));
   std::vector<unsigned char> row(pixels.bytes() * image.width);
-  for (std::uint32_t y = 0; y < image.height && std::ferror(stream) == 0; ++y) {
+  for (std::uint32_t y = 0; y < image.height; ++y) {
     pixels.get(y, 0, image.width, row.data());
-    std::fwrite(row.data(), 1, row.size(), stream);
+    if (!out.put(row.data(), row.size())) break;
   }
-  return stream_problem(stream);
+  return out.problem();
 }
 
 std::string put_pfm(std::FILE* stream, const PictureToWrite& picture, const WriteOptions&) {
   const Image& image = picture.image;
-  fmt::print(stream, "PF\n{} {}\n-1.0\n", image.width, image.height);  // below 0: least byte first
+  ByteStream out(stream);
+  out.put(
+      fmt::format("PF\n{} {}\n-1.0\n", image.width, image.height));  // below 0: least byte first
   std::vector<std::uint32_t> row(std::size_t{3} * image.width);
-  for (std::uint32_t y = image.height; y-- > 0 && std::ferror(stream) == 0;) {  // from the bottom
+  for (std::uint32_t y = image.height; y-- > 0;) {  // from the bottom
     std::memcpy(row.data(), image.row(y), row.size() * sizeof(float));
     if constexpr (std::endian::native == std::endian::big)
       for (std::uint32_t& bits : row) bits = __builtin_bswap32(bits);
-    std::fwrite(row.data(), sizeof(float), row.size(), stream);
+    if (!out.put(row.data(), row.size() * sizeof(float))) break;
   }
-  return stream_problem(stream);
+  return out.problem();
 }
 
 }  // namespace zraka

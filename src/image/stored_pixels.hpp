@@ -14,7 +14,8 @@ namespace zraka {
 /// Colours divided by alpha, tone-mapped and quantized. May be asked by several threads at once.
 class StoredPixels {
  public:
-  /// `alpha` is one value a pixel, which every pixel gets as a fourth one; nullptr: there are three.
+  /// `alpha` is one value a pixel, which every pixel gets as a fourth one; nullptr: there are
+  /// three.
   StoredPixels(const Image& image, const float* alpha, const WriteOptions& options);
 
   /// Of a pixel: at most 8.

@@ -114,11 +114,14 @@ std::string put(const Writer& writer, std::FILE* stream, const PictureToWrite& p
 
 }  // namespace
 
-std::string stream_problem(std::FILE* stream) {
-  // What is still in its buffer may fail, too: before the reason is another one's.
-  errno = 0;
-  if (std::fflush(stream) == 0 && std::ferror(stream) == 0) return "";
-  return errno != 0 ? std::strerror(errno) : "an error of the file system";
+bool ByteStream::put(const void* bytes, std::size_t count) {
+  if (error_ == 0 && std::fwrite(bytes, 1, count, stream_) != count) error_ = errno;
+  return error_ == 0;
+}
+
+std::string ByteStream::problem() {
+  if (error_ == 0 && std::fflush(stream_) != 0) error_ = errno;
+  return error_ == 0 ? "" : std::strerror(error_);
 }
 
 std::vector<PictureFormat> picture_formats() {
@@ -136,6 +139,9 @@ std::optional<PictureFormat> picture_format_of(const std::string& path) {
 Result<void> write_image(const Image& image, const Layers& layers, const std::string& path,
                          const WriteOptions& options) {
   const Writer* const writer = writer_of(path);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    return failure(path, phrase(Word::path_unwritable_folder));
   if (writer == nullptr)
     return failure(path, "its ending is none of a kind of picture that is written",
                    fmt::format("known are {}", known_endings()));

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <zraka/write_image.hpp>
 
 namespace zraka {
@@ -32,7 +33,20 @@ WriteFunction put_jpeg;
 /// Radiance's RGBE, with runs.
 WriteFunction put_hdr;
 
-/// What the system says of the stream's failure, or that there was none.
-std::string stream_problem(std::FILE* stream);
+/// Bytes on their way into a stream; the first problem is the one that is told.
+class ByteStream {
+ public:
+  explicit ByteStream(std::FILE* stream) : stream_(stream) {}
+
+  /// False once there has been a problem.
+  bool put(const void* bytes, std::size_t count);
+  bool put(std::string_view text) { return put(text.data(), text.size()); }
+  /// Whether all is in the file; else what the system says.
+  std::string problem();
+
+ private:
+  std::FILE* stream_;
+  int error_ = 0;
+};
 
 }  // namespace zraka

@@ -17,12 +17,12 @@ constexpr std::string_view kLayer = "CryptoObject";
 std::string name_of_object(const Scene& scene, std::uint32_t id) {
   std::size_t left = id - 1;
   std::int32_t kind = 0;
-#define ZRAKA_IF(Type, plural)                                                              \
-  if (left < scene.plural.size()) {                                                         \
-    const auto name = scene.names.find(ShapeId{kind, static_cast<std::uint32_t>(left)});     \
-    return name == scene.names.end() ? fmt::format("object {}", id) : name->second;         \
-  }                                                                                         \
-  left -= scene.plural.size();                                                              \
+#define ZRAKA_IF(Type, plural)                                                           \
+  if (left < scene.plural.size()) {                                                      \
+    const auto name = scene.names.find(ShapeId{kind, static_cast<std::uint32_t>(left)}); \
+    return name == scene.names.end() ? fmt::format("object {}", id) : name->second;      \
+  }                                                                                      \
+  left -= scene.plural.size();                                                           \
   ++kind;
   ZRAKA_SHAPES(ZRAKA_IF)
 #undef ZRAKA_IF
@@ -82,7 +82,8 @@ void add_cryptomatte(const Scene& scene, const std::vector<std::uint32_t>& ids, 
 
   std::string manifest;
   for (const auto& [name, hash] : hashes)
-    manifest += fmt::format("{}{}:\"{:08x}\"", manifest.empty() ? "" : ",", Json(name).dump(), hash);
+    manifest +=
+        fmt::format("{}{}:\"{:08x}\"", manifest.empty() ? "" : ",", Json(name).dump(), hash);
   const std::string key = fmt::format("{:08x}", murmur_hash(kLayer)).substr(0, 7);
   const auto note = [&](std::string_view name, std::string value) {
     layers.notes.emplace_back(fmt::format("cryptomatte/{}/{}", key, name), std::move(value));

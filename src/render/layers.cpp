@@ -24,9 +24,8 @@ using Ids = std::vector<std::uint32_t>;
 /// The index of what a slot holds, counted over all kinds.
 template <class R>
 std::uint32_t id_in_slot(const FrozenScene<R>& scene, std::int32_t slot) {
-#define ZRAKA_IF(Type, plural)                                                \
-  if (const std::int32_t at = slot - scene.plural.first_slot;                 \
-      at >= 0 && at < scene.plural.count)                                     \
+#define ZRAKA_IF(Type, plural)                                                                    \
+  if (const std::int32_t at = slot - scene.plural.first_slot; at >= 0 && at < scene.plural.count) \
     return static_cast<std::uint32_t>(scene.plural.id[at]);
   ZRAKA_KINDS(ZRAKA_IF)
 #undef ZRAKA_IF
@@ -83,7 +82,8 @@ class LayerMaker {
   void put(Layers& layers);
 
  private:
-  /// A thread's memory. Its first hits have paths as in textured scenes; its trees are of one pixel.
+  /// A thread's memory. Its first hits have paths as in textured scenes; its trees are of one
+  /// pixel.
   struct Worker {
     std::optional<WorkspaceMemory<R>> hits, tree;
   };
@@ -122,8 +122,8 @@ void LayerMaker<R>::make_tile(const TileRect& tile) {
   }
   for (std::int32_t y = tile.y; pass_.options.transparent && y < tile.y + tile.height; ++y)
     for (std::int32_t x = tile.x; x < tile.x + tile.width; ++x) {
-      const std::size_t at = std::size_t{image_.width} * static_cast<std::size_t>(y) +
-                             static_cast<std::size_t>(x);
+      const std::size_t at =
+          std::size_t{image_.width} * static_cast<std::size_t>(y) + static_cast<std::size_t>(x);
       if (alpha_[at] == 0) std::fill_n(image_.pixels.data() + 3 * at, 3, 0.0f);
     }
 }
@@ -142,8 +142,7 @@ void LayerMaker<R>::put_hit(Workspace<R>& workspace, std::size_t h) {
   const V3<double> point{static_cast<double>(scratch.px[h]), static_cast<double>(scratch.py[h]),
                          static_cast<double>(scratch.pz[h])};
   if (!values_.depth.empty())
-    values_.depth[at] =
-        static_cast<float>(frame.world_length(static_cast<double>(scratch.t[ray])));
+    values_.depth[at] = static_cast<float>(frame.world_length(static_cast<double>(scratch.t[ray])));
   if (!values_.position[0].empty()) {
     const Vec3 in_world = frame.world_point({point.x, point.y, point.z});
     values_.position[0][at] = static_cast<float>(in_world.x);
@@ -160,8 +159,7 @@ void LayerMaker<R>::put_hit(Workspace<R>& workspace, std::size_t h) {
     values_.uv[0][at] = static_cast<float>(u);
     values_.uv[1][at] = static_cast<float>(v);
   }
-  if (!values_.object.empty())
-    values_.object[at] = 1 + id_in_slot(scene_, scratch.slot[ray]);
+  if (!values_.object.empty()) values_.object[at] = 1 + id_in_slot(scene_, scratch.slot[ray]);
   if (!values_.material.empty())
     values_.material[at] = 1 + static_cast<std::uint32_t>(scratch.material[h]);
   if (counts_rays_) {

@@ -159,7 +159,6 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
   if (*isa == Isa::oracle && variation.kernel != nullptr)
     return failure("", "the oracle keeps to the rules", "ask for avx512, avx2 or portable");
 
-
   const Resolution resolution = scene.resolution;
   const int tile =
       options.tile == 0 ? chosen_tile(resolution.width, resolution.height, threads) : options.tile;

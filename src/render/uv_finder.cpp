@@ -16,9 +16,9 @@ namespace {
 /// The objects that shapes of this kind were read as.
 template <class Shape>
 const auto& objects_of(const ShapeLists& shapes) {
-#define ZRAKA_IF(Type, plural)                       \
-  if constexpr (std::is_base_of_v<Type, Shape>)      \
-    return shapes.plural;                            \
+#define ZRAKA_IF(Type, plural)                  \
+  if constexpr (std::is_base_of_v<Type, Shape>) \
+    return shapes.plural;                       \
   else
   ZRAKA_PRIMITIVES(ZRAKA_IF)
 #undef ZRAKA_IF
@@ -39,8 +39,7 @@ const CornerUvs* corner_uvs(const ShapeLists& shapes, std::size_t index) {
 template <class R>
 UvFinder<R>::UvFinder(const Scene& scene, const FrozenStore<R>& store)
     : scene_(scene), store_(store) {
-  for (const Transform& t : scene.transforms)
-    to_shape_.push_back(inverse(t).value_or(Transform()));
+  for (const Transform& t : scene.transforms) to_shape_.push_back(inverse(t).value_or(Transform()));
 }
 
 template <class R>
@@ -68,10 +67,9 @@ bool UvFinder<R>::find(const Home& home, const FrozenShapes<R, Shape>& kind, std
   if constexpr (kHasPieces<Shape>) {
     const Frame frame{.center = home.frozen.frame_center, .scale = home.frozen.frame_scale};
     ShapeTraits<Shape>::freeze(object.shape, frame, whole.data());
-    const bool is_piece = !std::equal(whole.begin(), whole.begin() + 9, numbers.begin(),
-                                      [](double w, double n) {
-                                        return static_cast<double>(narrow<R>(w)) == n;
-                                      });
+    const bool is_piece =
+        !std::equal(whole.begin(), whole.begin() + 9, numbers.begin(),
+                    [](double w, double n) { return static_cast<double>(narrow<R>(w)) == n; });
     if (is_piece) context.whole_corners = whole.data();
   }
   const BodySurface surface =
@@ -88,8 +86,7 @@ std::array<double, 2> UvFinder<R>::at(const HitPath& path, const V3<double>& poi
     const double(&m)[12] = path.to_frame;
     const Transform from_group{
         {m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}, {m[9], m[10], m[11]}};
-    in_home =
-        vector_of(moved(vec3_of(point), inverse(from_group).value_or(Transform())));
+    in_home = vector_of(moved(vec3_of(point), inverse(from_group).value_or(Transform())));
   }
   const Home home =
       group == nullptr
