@@ -127,7 +127,9 @@ TEST(Layers, AreOfTheNearestHitOfThePixelsRay) {
 Scene many_shapes(bool textured) {
   Scene scene = two_spheres();
   scene.transforms = {{{0.6, 0, -0.3}, {0, 0.5, 0}, {0.3, 0, 0.6}, {-0.7, 0.5, 0}},
-                      {{0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}, {0.5, 0.5, 0.2}}};
+                      {{0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}, {0.5, 0.5, 0.2}},
+                      {{0.8, 0, -0.6}, {0, 1, 0}, {0.6, 0, 0.8}, {}}};
+  scene.spheres[1].transform = 3;  // which only turns its u and v
   scene.materials.push_back({.diffuse = {1, 1, 1}});
   if (textured) {
     Texture& checker = scene.textures.emplace_back();
