@@ -94,19 +94,21 @@ TEST(Check, FindsWhatIsWrongWithLights) {
 
 TEST(Check, FindsWhatIsWrongWithCameras) {
   EXPECT_EQ(problem_of(Camera{.window_center = {}, .aperture = kNan}),
-            "error: the camera's aperture is not a finite number of 0 or more\n");
+            "error: the lens' diameter is nan: 0 or more is possible\n");
   EXPECT_EQ(problem_of(Camera{.window_center = {}, .focus_distance = kNan}), "")
       << "a pinhole has no focus";
   EXPECT_EQ(problem_of(Camera{.window_center = {}, .aperture = 1, .focus_distance = 0}),
-            "error: the distance that the camera is focused at is not a finite number above 0\n");
+            "error: the camera is in focus at the distance 0: it has to be more than 0\n");
   const std::string nowhere =
-      "error: the camera looks nowhere: its window is at the eye, or spans no plane\n";
+      "error: the camera looks nowhere, or straight up: its eye, its window's middle and up span no "
+      "plane\n";
   EXPECT_EQ(problem_of(Camera{.window_center = {0, 0, 2}, .kind = CameraKind::panorama}), nowhere);
   EXPECT_EQ(problem_of(Camera{
                 .window_center = {}, .window_right = {0, 1, 0}, .kind = CameraKind::orthographic}),
             nowhere);
   EXPECT_EQ(problem_of(Camera{.window_center = {}, .kind = CameraKind::fisheye, .fov_deg = 0}),
-            "error: the camera's angle of view is 0: expected more than 0, up to 360 degrees\n");
+            "error: the fisheye camera's angle of view is 0°: more than 0 and at most 360 are "
+            "possible\n");
 }
 
 TEST(Check, FindsWhatIsWrongWithSkies) {
@@ -165,11 +167,11 @@ TEST(Check, FindsWhatIsOutOfRangeInARequest) {
   EXPECT_EQ(sampled({.count = 65537}),
             "error: number of samples 65537 is out of range: 1 to 65536\n");
   EXPECT_EQ(sampled({.kind = Kind::grid, .count = 257}),
-            "error: number of samples in a row 257 is out of range: 1 to 256\n");
+            "error: grid 257 is out of range: 1 to 256\n");
   EXPECT_EQ(sampled({.kind = Kind::adaptive, .count = 4, .most = 3}),
-            "error: most samples 3 is out of range: 4 to 65536\n");
+            "error: greatest number of samples 3 is out of range: 4 to 65536\n");
   EXPECT_EQ(sampled({.kind = Kind::adaptive, .contrast = -1}),
-            "error: contrast -1 is out of range: 0 or more\n");
+            "error: contrast -1 is out of range: 0 to 1\n");
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ expect 1 "standard output: error: cannot be written" bash -c "'$zraka' --help >/
 for command in grade report influence quiz; do
   expect 2 "has no option --mistake" "$zraka" "$command" "$scene" "$scene" --mistake no-power
 done
-for name in p.pfm p.toml p.txt p.svg; do
-  expect 2 "'$name' is not the name of a PNG" "$zraka" render "$scene" -o $name
+for name in p.tif p.toml p.txt p.svg; do
+  expect 2 "'$name' is not the name of a picture that can be written: known are .png, .exr, .ppm, .pfm, .jpg, .jpeg, .hdr" "$zraka" render "$scene" -o $name
 done
 expect 2 "'flake.png' is not the name of an NFF file" "$zraka" generate sphereflake -o flake.png
 expect 1 "standard output: error: cannot be written" bash -c "'$zraka' info $scene >/dev/full"
@@ -72,7 +72,7 @@ same "--quality final" "--samples 64 --filter gauss"
 same "--quality final --samples 2 --filter box" "--samples 2"
 same "--shadows off --stage 5" "--stage 4"
 expect 1 "which is no instruction set" env ZRAKA_ISA=mmx "$zraka" render "$scene" -o "$folder/a.png"
-expect 2 "'x.jpg' is not the name of a PNG" "$zraka" render "$scene" -o x.jpg
+expect 2 "'x.jpg' is not the name of a PNG" "$zraka" influence "$scene" sphere 1 -o x.jpg
 [ -e "$folder/a.png" ] && fail "a picture of a render that failed"
 cp "$scene" "$folder/own"
 expect 1 "would be written over an input of this command" "$zraka" render "$folder/own" -o "$folder/own"
@@ -139,7 +139,7 @@ fi
 expect 1 "the file is empty" "$zraka" info "$folder/empty.txt"
 
 # Output that cannot be written: exit code 1, the old file as it was.
-expect 2 "is not the name of a PNG" "$zraka" render "$scene" -o "$folder/a.nff"
+expect 2 "is not the name of a picture" "$zraka" render "$scene" -o "$folder/a.nff"
 expect 1 "does its folder exist?" "$zraka" render "$scene" -o "$folder/no/a.png"
 expect 1 "it is a folder" "$zraka" render "$scene" -o "$folder"
 expect 1 "/dev/full: error: cannot be written: No space left on device" "$zraka" render "$scene" -o /dev/full

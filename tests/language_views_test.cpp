@@ -76,6 +76,8 @@ TEST(LanguageLights, SayWhatIsWrong) {
             "s.toml:5:13: error: spot light has target and direction: expected one of them");
   EXPECT_EQ(first(spot + "inner_deg = 50\nouter_deg = 40\n"),
             "s.toml:4:13: error: inner_deg of spot light is 50, more than outer_deg, which is 40");
+  EXPECT_EQ(first("kind = \"spot\"\nposition = [1e308, 0, 0]\ntarget = [-1e308, 0, 0]\n"),
+            "s.toml:4:10: error: target of spot light is too far away for numbers");
   EXPECT_EQ(first(spot + "outer_deg = 0\n"),
             "s.toml:4:13: error: outer_deg of spot light is 0: expected a number greater than 0 "
             "and at most 180");
@@ -180,7 +182,11 @@ TEST(LanguageCameras, SayWhatIsWrong) {
             "s.toml:3:18: error: perspective camera has focus and focus_distance: expected one of "
             "them");
   EXPECT_EQ(first("focus = [0, 0, 9]\n"),
-            "s.toml:2:9: error: focus of perspective camera is not in front of the eye");
+            "s.toml:2:9: error: focus of perspective camera is not in front of the eye, or too far "
+            "away");
+  EXPECT_EQ(first("kind = \"orthographic\"\nheight = 1e308\n[image]\nwidth = 1000\n"),
+            "s.toml:1:1: error: what orthographic camera sees is too far away, or too large, for "
+            "numbers");
   EXPECT_EQ(first(window + "fov_deg = 40\n"),
             "s.toml:3:11: error: perspective camera has window and fov_deg: expected one of them");
   EXPECT_EQ(first("kind = \"orthographic\"\nheight = 1\n" + window),

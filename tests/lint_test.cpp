@@ -158,14 +158,14 @@ TEST(Lint, FindsOverlapsThatPrioritiesDoNotSettle) {
   scene.names[{0, 1}] = "lens";
   EXPECT_EQ(warnings(scene),
             "warning: sphere 1 and sphere 2 (lens) overlap, and have the same priority, 1\n");
-  scene.spheres[1].shape.center.x = 1.1;
-  EXPECT_EQ(warnings(scene), "") << "their boxes touch, they do not";
+  scene.spheres[1].shape.center = {0.8, 0.8, -2};
+  EXPECT_EQ(warnings(scene), "") << "their boxes overlap, they do not";
   scene.boxes.push_back({Box{{-1, -1, -2}, {1, 1, -1}}, 0, 0});
   EXPECT_NE(warnings(scene).find("sphere 1 and box 1 overlap"), std::string::npos);
   scene.spheres[1].shape.center.x = 5;
   scene.boxes[0].shape = {{0.4, 0.4, -2}, {1, 1, -1}};
   EXPECT_EQ(warnings(scene), "") << "a corner that the sphere does not reach";
-  scene.spheres[1].shape.center.x = 0.9;
+  scene.spheres[1].shape.center = {0.9, 0, -2};
   scene.boxes.clear();
   scene.materials[1].priority = 2;
   EXPECT_EQ(warnings(scene), "");

@@ -109,7 +109,7 @@ TEST(ScreenBounds, LeaveOutNothingThatARayMeets) {
 /// Adds how many pixels that part has.
 bool hold_all_hits(const Scene& scene, const Sampling& sampling, int& left) {
   const auto profile = profile_of(ProfileName::physical);
-  const auto prepared = prepare<float>(scene, profile);
+  const auto prepared = prepare<float>(scene, RenderOptions{.profile = profile});
   const FrozenScene<float>& frozen = prepared.store->scene;
   const auto width = static_cast<std::int32_t>(scene.resolution.width),
              height = static_cast<std::int32_t>(scene.resolution.height);
@@ -181,13 +181,13 @@ TEST(ScreenBounds, OfParallelRaysAreABoxAndAPixelMore) {
   scene.camera.window_up = {0, 10, 0};
   scene.materials = {{}};
   scene.spheres.push_back({{{2, 1, -30}, 1}, 0});
-  const auto prepared = prepare<float>(scene, profile_of(ProfileName::lab));
+  const auto prepared = prepare<float>(scene, RenderOptions{.profile = profile_of(ProfileName::lab)});
   // x from 1 to 3: columns 60 to 80; y from 0 to 2: rows 30 to 50.
   const TileRect part = ScreenBounds(prepared.store->scene, 100, 100).part_of({0, 0, 100, 100});
   expect_rect(part, {59, 29, 23, 23});
   // Behind the eye.
   scene.spheres[0].shape.center.z = 3;
-  const auto behind = prepare<float>(scene, profile_of(ProfileName::lab));
+  const auto behind = prepare<float>(scene, RenderOptions{.profile = profile_of(ProfileName::lab)});
   EXPECT_EQ(ScreenBounds(behind.store->scene, 100, 100).part_of({0, 0, 100, 100}).width, 0);
 }
 

@@ -2,6 +2,7 @@
 // zraka render: a scene to a picture.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -21,8 +22,13 @@ namespace {
 struct Arguments : RenderArguments {
   std::string output;
   std::string stage = "refraction", mistake;
-  int bits = 8;
-  std::string stats;  // "", "text" or "json"
+  int bits = 0;  // 0: the format's own
+  bool transparent = false;
+  std::string layers;              // names with commas between them, or "all"
+  std::string tone_map;            // "": clamp
+  double exposure = 0, white = 0;  // 0: the curve's own
+  int jpeg_quality = 0;            // 0: the usual one
+  std::string stats;               // "", "text" or "json"
 };
 
 struct Seconds {
@@ -67,6 +73,61 @@ void print_text(const Rendering& rendering, const Seconds& seconds, const std::s
   fmt::print("sha256  {}\n", hash);
 }
 
+constexpr std::string_view kAllLayers = "all";
+
+/// Names with commas between them; none where one is unknown.
+std::optional<LayerSet> layers_named(const std::string& list) {
+  if (list == kAllLayers) return LayerSet::all();
+  LayerSet layers;
+  for (std::string_view left = list; !left.empty();) {
+    const std::size_t comma = std::min(left.find(','), left.size());
+    const std::optional<Layer> layer = layer_named(left.substr(0, comma));
+    if (!layer || comma + 1 == left.size()) return std::nullopt;
+    layers.add(*layer);
+    left.remove_prefix(std::min(comma + 1, left.size()));
+  }
+  return layers;
+}
+
+WriteOptions write_options(const Arguments& arguments) {
+  WriteOptions options;
+  options.bits = arguments.bits;
+  options.tone = {tone_curve_named(arguments.tone_map).value_or(ToneCurve::clamp),
+                  arguments.exposure, arguments.white};
+  if (arguments.jpeg_quality != 0) options.jpeg_quality = arguments.jpeg_quality;
+  return options;
+}
+
+/// Why what is asked for does not go together, or "".
+std::string problem_of(const Arguments& arguments) {
+  const std::optional<PictureFormat> format = picture_format_of(arguments.output);
+  if (!format) return "";  // a folder has an error of its own
+  const auto only = [&](std::string_view option, auto has) {
+    std::string names;
+    for (const PictureFormat& other : picture_formats())
+      if (has(other)) names += fmt::format("{}{}", names.empty() ? "" : ", ", other.endings[0]);
+    return fmt::format("{} is for {}, and not for {}", option, names, format->name);
+  };
+  if (arguments.bits != 0 && std::ranges::find(format->bits, arguments.bits) == format->bits.end())
+    return fmt::format("--bits {} is not for {}, which has {}", arguments.bits, format->name,
+                       fmt::join(format->bits, " or "));
+  if (arguments.transparent && !format->alpha)
+    return only("--transparent", [](const PictureFormat& other) { return other.alpha; });
+  if (!arguments.layers.empty() && !format->layers)
+    return only("--layers", [](const PictureFormat& other) { return other.layers; });
+  const auto is_integer = [](const PictureFormat& other) { return !other.floats; };
+  if (format->floats && !arguments.tone_map.empty()) return only("--tone-map", is_integer);
+  if (format->floats && arguments.exposure != 0) return only("--exposure", is_integer);
+  if (arguments.white != 0 && (arguments.tone_map.empty() || arguments.tone_map == "clamp"))
+    return "--white is for --tone-map reinhard and filmic";
+  if (arguments.jpeg_quality != 0 && format->name != "JPEG")
+    return only("--jpeg-quality", [](const PictureFormat& other) { return other.name == "JPEG"; });
+  if (!arguments.mistake.empty() && (arguments.transparent || !arguments.layers.empty()))
+    return fmt::format("{} shows the right picture: it does not go with --mistake",
+                       arguments.transparent ? "--transparent" : "--layers");
+  return "";
+}
+
 int run(const Arguments& arguments) {
   const auto since = [](auto start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -80,6 +141,8 @@ int run(const Arguments& arguments) {
   RenderOptions options = arguments.options(*scene);
   options.terms = terms_of(*stage_named(arguments.stage), *scene);
   options.crop = arguments.sampling.crop_rect();
+  options.layers = layers_named(arguments.layers).value_or(LayerSet());
+  options.transparent = arguments.transparent;
   Result<Rendering> rendering;
   const Mistake mistake = mistake_of(arguments.mistake);
   {
@@ -95,9 +158,11 @@ int run(const Arguments& arguments) {
     hash = std::async(options.threads == 1 ? std::launch::deferred : std::launch::async,
                       [&] { return sha256(rendering->image); });
   const auto written_from = std::chrono::steady_clock::now();
+  WriteOptions writing = write_options(arguments);
+  writing.transfer = options.profile.transfer;
+  writing.threads = options.threads;
   const Result<void> written =
-      write_png(rendering->image, arguments.output,
-                {arguments.bits, options.profile.transfer, options.threads});
+      write_image(rendering->image, rendering->layers, arguments.output, writing);
   if (!written) return fail(written.error());
   seconds.write = since(written_from);
   if (arguments.stats == "json") print_json(*rendering, seconds, hash.get());
@@ -114,12 +179,37 @@ void add_render(Command& program) {
   arguments->sampling.add_to(app);
   arguments->sampling.add_crop_to(app);
   add_mistake_to(app, arguments->mistake);
-  check_png_name(
-      app.add("-o,--output", &arguments->output, "the PNG to write; - is standard output")
+  check_picture_name(
+      app.add("-o,--output", &arguments->output,
+              "the picture to write: .png, .exr, .ppm, .pfm, .jpg or .hdr; - is standard output,\n"
+              "for a PNG")
           .required());
   add_stage_to(app, arguments->stage);
-  app.add("--bits", &arguments->bits, "bits of a channel: 8 (default) or 16")
-      .check("8 or 16", [](const std::string& bits) { return bits == "8" || bits == "16"; });
+  app.add("--bits", &arguments->bits,
+          "bits of a value: 8 (default) or 16; of an .exr 16 (default) or 32")
+      .one_of({"8", "16", "32"});
+  app.add("--transparent", &arguments->transparent,
+          "no background, but alpha that says where shapes are (.png, .exr)");
+  app.add("--layers", &arguments->layers,
+          fmt::format(
+              "what else to store of each pixel (.exr): {}; with commas between them, or all",
+              fmt::join(kLayerNames, ", ")))
+      .check(fmt::format("a list of {}, with commas between them, or all",
+                         fmt::join(kLayerNames, ", ")),
+             [](const std::string& list) { return !list.empty() && layers_named(list); });
+  app.add("--tone-map", &arguments->tone_map,
+          "how light becomes integers: clamp (default), reinhard or filmic")
+      .check("clamp, reinhard or filmic",
+             [](const std::string& name) { return tone_curve_named(name).has_value(); });
+  app.add("--exposure", &arguments->exposure, "in stops: 1 doubles the light before it is mapped")
+      .range(-100, 100);
+  app.add(
+         "--white", &arguments->white,
+         fmt::format("the light that becomes white with --tone-map reinhard (default {}) or filmic "
+                     "({})",
+                     kReinhardWhite, kFilmicWhite))
+      .range(1e-6, 1e6);
+  app.add("--jpeg-quality", &arguments->jpeg_quality, "1…100 (default 95)").range(1, 100);
   app.add_flag("--stats", "text", arguments->stats,
                "print times, rays, memory and the picture's SHA-256; --stats=json for programs")
       .one_of({"text", "json"});
@@ -131,7 +221,10 @@ void add_render(Command& program) {
       "  zraka render input.txt -o glass.png --profile physical --max-depth 12\n"
       "  zraka render scene.toml -o smooth.png --quality final\n"
       "  zraka render scene.toml -o edges.png --adaptive 4,64,0.05 --filter mitchell --stats\n"
-      "  zraka render scene.toml -o part.png --samples 16 --crop 100,80,64,64");
+      "  zraka render scene.toml -o part.png --samples 16 --crop 100,80,64,64\n"
+      "  zraka render input.txt -o cut-out.png --transparent\n"
+      "  zraka render input.txt -o layers.exr --transparent --layers depth,normal,object-id");
+  app.check([arguments] { return problem_of(*arguments); });
   app.action([arguments] { return run(*arguments); });
 }
 

@@ -30,10 +30,31 @@ bool is_png_name(const std::string& path) {
 
 }  // namespace
 
+namespace {
+
+void check_no_terminal(Option option) {
+  option.check("for a terminal, which shows no PNG: name a file, or redirect the output",
+               [](const std::string& path) { return path != "-" || ::isatty(STDOUT_FILENO) == 0; });
+}
+
+}  // namespace
+
 void check_png_name(Option option) {
-  option.check("the name of a PNG, the one kind of picture that is written", is_png_name)
-      .check("for a terminal, which shows no PNG: name a file, or redirect the output",
-             [](const std::string& path) { return path != "-" || ::isatty(STDOUT_FILENO) == 0; });
+  check_no_terminal(
+      option.check("the name of a PNG, the one kind of picture that is written here", is_png_name));
+}
+
+void check_picture_name(Option option) {
+  std::string endings;
+  for (const PictureFormat& format : picture_formats())
+    for (const std::string_view ending : format.endings)
+      endings += fmt::format("{}{}", endings.empty() ? "" : ", ", ending);
+  check_no_terminal(
+      option.check(fmt::format("the name of a picture that can be written: known are {}", endings),
+                   [](const std::string& path) {
+                     std::error_code ignored;  // a folder has an error of its own
+                     return picture_format_of(path) || std::filesystem::is_directory(path, ignored);
+                   }));
 }
 
 std::optional<Stage> stage_named(const std::string& word) {

@@ -48,6 +48,9 @@ Terms terms_of(Stage stage, const Scene& scene);
 /// Accepts the name of a PNG to write: whoever asks for a.jpg would be surprised by a PNG in it.
 void check_png_name(Option option);
 
+/// Accepts the name of a picture of any kind that is written.
+void check_picture_name(Option option);
+
 /// --mistake.
 void add_mistake_to(Command& command, std::string& key);
 /// The mistake of this key; none for "".

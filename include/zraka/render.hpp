@@ -12,6 +12,7 @@
 #include <vector>
 #include <zraka/diagnostic.hpp>
 #include <zraka/image.hpp>
+#include <zraka/layers.hpp>
 #include <zraka/limits.hpp>
 #include <zraka/scene.hpp>
 
@@ -78,7 +79,13 @@ struct RenderOptions {
   Sampling sampling{};
   /// Only this part of the picture, with the bits that the whole one has there.
   std::optional<PixelRect> crop{};
-  int threads = 0;    ///< 0: as many as the machine has
+  /// What Rendering::layers shall hold besides: of one ray through each pixel, its centre, or its
+  /// corner where the profile says so, however many samples the picture has.
+  LayerSet layers{};
+  /// No light comes from where a ray from the eye hits nothing: the picture's colours are
+  /// multiplied by channel A of its layers, which says how much of each pixel is covered.
+  bool transparent = false;
+  int threads = 0;  ///< 0: as many as the machine has
   /// May each thread, the caller's too, be bound to a processor while it works? Faster in a program
   /// that does nothing else meanwhile.
   bool bind_threads = false;
@@ -117,11 +124,13 @@ struct Rendering {
   /// How many samples each pixel has had, row by row; empty where all have had as many.
   std::vector<std::uint32_t> samples;
   RenderStats stats;
+  Layers layers;  ///< those that were asked for
 };
 
-/// Renders a scene. The picture's bits depend on scene, terms, profile, depth and sampling, and on
-/// nothing else; a crop has those of its part. Fails on options out of range, an instruction set
-/// that is not there, a scene that is inconsistent (see check()), and on cancellation.
+/// Renders a scene. The bits of picture and layers depend on scene, terms, profile, depth and
+/// sampling, and on nothing else; a crop has those of its part. Fails on options out of range, an
+/// instruction set that is not there, a scene that is inconsistent (see check()), and on
+/// cancellation.
 Result<Rendering> render(const Scene& scene, const RenderOptions& options = {});
 /// The same for a scene that nobody needs any more: its memory is free before the hierarchy's is
 /// taken.

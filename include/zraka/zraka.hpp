@@ -8,5 +8,7 @@
 #include <zraka/formats.hpp>
 #include <zraka/image.hpp>
 #include <zraka/influence.hpp>
+#include <zraka/layers.hpp>
 #include <zraka/render.hpp>
 #include <zraka/scene.hpp>
+#include <zraka/write_image.hpp>

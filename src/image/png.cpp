@@ -16,8 +16,9 @@
 #include "core/new_file.hpp"
 #include "core/phrase.hpp"
 #include "image/deflate.hpp"
-#include "image/quantize.hpp"
 #include "image/readers.hpp"
+#include "image/stored_pixels.hpp"
+#include "image/writers.hpp"
 
 namespace zraka {
 namespace {
@@ -35,11 +36,13 @@ struct PngMessage {
 void on_warning(png_structp, png_const_charp) {}
 
 /// Everything between setjmp and longjmp in functions that own nothing with a destructor.
-bool start_file(png_structp png, png_infop info, std::FILE* stream, const Image& image, int bits) {
+bool start_file(png_structp png, png_infop info, std::FILE* stream, const Image& image, int bits,
+                bool alpha) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng's way
   png_init_io(png, stream);
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-  png_set_IHDR(png, info, image.width, image.height, bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+  png_set_IHDR(png, info, image.width, image.height, bits,
+               alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_write_info(png, info);
   return true;
@@ -53,15 +56,15 @@ bool write_chunk(png_structp png, const char* name, const unsigned char* bytes, 
 
 /// Rows as PNG stores them: the filter's number, then each byte less the one of the pixel to its
 /// left ("Sub").
-Rows filtered_rows(const Image& image, const RowQuantizer& quantizer, int bits) {
-  const std::size_t pixel = bits == 16 ? 6 : 3;
-  const auto make = [&image, &quantizer, pixel](std::uint32_t y, unsigned char* out) {
+Rows filtered_rows(const Image& image, const StoredPixels& pixels) {
+  const std::size_t pixel = pixels.bytes();
+  const auto make = [&image, &pixels, pixel](std::uint32_t y, unsigned char* out) {
     constexpr std::size_t kAtOnce = 512;
     *out++ = PNG_FILTER_VALUE_SUB;
-    unsigned char stored[6 * (1 + kAtOnce)] = {};  // of which the first is the pixel before
+    unsigned char stored[8 * (1 + kAtOnce)] = {};  // of which the first is the pixel before
     for (std::size_t x = 0; x < image.width; x += kAtOnce) {
       const std::size_t count = std::min(kAtOnce, image.width - x);
-      quantizer.row(image.row(y) + 3 * x, 3 * count, stored + pixel);
+      pixels.get(y, x, count, stored + pixel);
       for (std::size_t i = 0; i < pixel * count; ++i)
         *out++ = static_cast<unsigned char>(stored[pixel + i] - stored[i]);
       std::memcpy(stored, stored + pixel * count, pixel);
@@ -71,7 +74,8 @@ Rows filtered_rows(const Image& image, const RowQuantizer& quantizer, int bits) 
 }
 
 /// Empty where all went well, else the reason: that of the stream, where it has one, or libpng's.
-std::string write_to(std::FILE* stream, const Image& image, const PngOptions& options) {
+std::string write_to(std::FILE* stream, const Image& image, const float* alpha,
+                     const WriteOptions& options) {
   PngMessage message;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, on_error, on_warning);
   png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
@@ -81,7 +85,7 @@ std::string write_to(std::FILE* stream, const Image& image, const PngOptions& op
   }
   // Level 2 with this filter is 4 times as fast as libpng's defaults and hardly larger.
   constexpr int kLevel = 2;
-  const RowQuantizer quantizer(options.transfer, options.bits);
+  const StoredPixels pixels(image, alpha, options);
   const auto take = [png](const std::vector<unsigned char>& part) {
     constexpr std::size_t kLongest = std::size_t{1} << 30;  // PNG's chunks have 31 bits
     bool good = true;
@@ -91,8 +95,8 @@ std::string write_to(std::FILE* stream, const Image& image, const PngOptions& op
   };
   bool good = false;
   try {
-    const Rows rows = filtered_rows(image, quantizer, options.bits);
-    good = start_file(png, info, stream, image, options.bits) &&
+    const Rows rows = filtered_rows(image, pixels);
+    good = start_file(png, info, stream, image, options.bits, alpha != nullptr) &&
            deflate_rows(rows, kLevel, options.threads, take) &&
            write_chunk(png, "IEND", nullptr, 0);
   } catch (const std::bad_alloc&) {
@@ -224,12 +228,20 @@ Result<ReadImage> PngReader::read(const ImageFile& file) {
   return read;
 }
 
+WriteOptions options_of(const PngOptions& options) {
+  return {.bits = options.bits, .transfer = options.transfer, .threads = options.threads};
+}
+
 }  // namespace
+
+std::string put_png(std::FILE* stream, const PictureToWrite& picture, const WriteOptions& options) {
+  return write_to(stream, picture.image, picture.layers.alpha(), options);
+}
 
 Result<void> write_png(const Image& image, const std::string& path, const PngOptions& options) {
   Result<NewFile> file = NewFile::create(path);
   if (!file) return tl::make_unexpected(file.error());
-  const std::string problem = write_to(file->stream(), image, options);
+  const std::string problem = write_to(file->stream(), image, nullptr, options_of(options));
   if (!problem.empty()) return failure(file->name(), phrase(Word::path_unwritable, problem));
   return file->commit();
 }
@@ -239,7 +251,7 @@ Result<std::string> encode_png(const Image& image, const PngOptions& options) {
   std::size_t size = 0;
   std::FILE* stream = ::open_memstream(&bytes, &size);
   if (stream == nullptr) return failure("", "a PNG cannot be made: not enough memory");
-  const std::string problem = write_to(stream, image, options);
+  const std::string problem = write_to(stream, image, nullptr, options_of(options));
   const bool closed = std::fclose(stream) == 0;
   std::string png(bytes, size);
   std::free(bytes);  // NOLINT: open_memstream's memory

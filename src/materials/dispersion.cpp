@@ -41,13 +41,14 @@ double abbe_number(const Dispersion& dispersion, double ior) {
 }
 
 bool has_index(const Dispersion& dispersion, double ior) {
-  constexpr int kSteps = 94;  // of 5 nm
-  for (int i = 0; i <= kSteps; ++i) {
-    const double wavelength = kShortestSeen + (kLongestSeen - kShortestSeen) * i / kSteps;
+  const auto good = [&](double wavelength) {
     const double index = refractive_index(dispersion, ior, wavelength);
-    if (!std::isfinite(index) || !(index > 0)) return false;
-  }
-  return true;
+    return std::isfinite(index) && index > 0;
+  };
+  constexpr int kSteps = 94;  // of 5 nm
+  for (int i = 0; i <= kSteps; ++i)
+    if (!good(kShortestSeen + (kLongestSeen - kShortestSeen) * i / kSteps)) return false;
+  return good(kLineD);
 }
 
 }  // namespace zraka

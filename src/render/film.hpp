@@ -15,6 +15,7 @@ namespace zraka {
 struct FilmSample {
   float color[3] = {0, 0, 0};
   bool negative = false;  ///< the filter is below 0 there
+  bool hits = false;      ///< a shape
 };
 
 /// What a pixel keeps of its samples, which come in the order of their numbers.
@@ -29,6 +30,21 @@ class FilmPixel {
       most_[c] = std::max(most_[c], shown);
     }
     ++(sample.negative ? negative_count_ : positive_count_);
+    if (sample.hits) ++(sample.negative ? negative_hits_ : positive_hits_);
+  }
+
+  /// How much of the pixel shapes cover, by the filter: 0…1.
+  float coverage(const PixelFilterShape& filter) const {
+    const auto share = [](std::uint32_t hits, std::uint32_t count) {
+      return count > 0 ? static_cast<double>(hits) / count : 0.0;
+    };
+    const double positive = share(positive_hits_, positive_count_),
+                 negative = share(negative_hits_, negative_count_);
+    const double all = negative_count_ == 0   ? positive
+                       : positive_count_ == 0 ? negative
+                                              : filter.positive() * positive -
+                                                    filter.negative() * negative;
+    return static_cast<float>(std::clamp(all, 0.0, 1.0));
   }
 
   std::uint32_t count() const { return positive_count_ + negative_count_; }
@@ -58,7 +74,7 @@ class FilmPixel {
  private:
   double positive_[3] = {0, 0, 0}, negative_[3] = {0, 0, 0};
   float least_[3] = {1, 1, 1}, most_[3] = {0, 0, 0};
-  std::uint32_t positive_count_ = 0, negative_count_ = 0;
+  std::uint32_t positive_count_ = 0, negative_count_ = 0, positive_hits_ = 0, negative_hits_ = 0;
 };
 
 /// Which pixels of a rectangle want more samples: rows of `width`, `means` three a pixel. Those

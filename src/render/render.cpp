@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <utility>
 #include <vector>
 #include <zraka/render.hpp>
 
 #include "core/spread.hpp"
 #include "render/corners.hpp"
 #include "render/isa.hpp"
+#include "render/layers.hpp"
 #include "render/picture_job.hpp"
 #include "render/prepare.hpp"
 #include "render/render_samples.hpp"
@@ -113,7 +115,9 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   const auto start = std::chrono::steady_clock::now();
   const Resolution resolution = scene.resolution;
   if (options.bind_threads && scene.shape_count() >= kManyShapes) spread_workers(threads);
-  const PreparedScene<R> prepared = prepare<R>(std::forward<SceneRef>(scene), options);
+  const PreparedScene<R> prepared =
+      need_scene(options.layers) ? prepare<R>(std::as_const(scene), options)
+                                 : prepare<R>(std::forward<SceneRef>(scene), options);
   rendering.stats.build_seconds = seconds_since(start);
   rendering.stats.scene_bytes = prepared.store->bytes();
   rendering.stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node) +
@@ -121,7 +125,7 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
 
   const FrozenScene<R>& frozen = prepared.store->scene;
   const TraceSettings settings = settings_of(options, prepared, variation);
-  const bool plain = is_plain(frozen, options.sampling);
+  const bool plain = is_plain(frozen, options.sampling) && !options.transparent;
   const bool corners = plain && options.profile.average_corners;
   PictureJob<R> job{frozen, kernel, settings, options, resolution, part_of(options, resolution),
                     tile,   threads};
@@ -130,8 +134,9 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   rendering.image = Image(static_cast<std::uint32_t>(job.part.width),
                           static_cast<std::uint32_t>(job.part.height));
   const auto traced = std::chrono::steady_clock::now();
-  const bool complete = plain ? render_tiles(job, rendering) : render_samples(job, rendering);
+  bool complete = plain ? render_tiles(job, rendering) : render_samples(job, rendering);
   if (complete && corners) rendering.image = means_of_corners(std::move(rendering.image));
+  complete = complete && make_layers<R>({&scene, prepared, job}, rendering);
   rendering.stats.render_seconds = seconds_since(traced);
   return complete;
 }
@@ -194,6 +199,8 @@ Result<void> check_lesson(const Scene& scene) {
 
 Result<Rendering> render_varied(const Scene& scene, const RenderOptions& options,
                                 const Variation& variation) {
+  if (options.transparent || !options.layers.empty())
+    return failure("", "layers and transparent pictures are those of the right rules");
   Scene varied = scene;
   if (variation.vary_scene) variation.vary_scene(varied);
   RenderOptions other = options;

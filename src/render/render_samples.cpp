@@ -27,7 +27,8 @@ class SampleTracer {
       : job_(job),
         samples_(samples),
         memory_(batch_of(job), job.scene, job.settings),
-        waiting_(static_cast<std::size_t>(memory_.workspace().batch)) {}
+        waiting_(static_cast<std::size_t>(memory_.workspace().batch)),
+        hits_(waiting_.size()) {}
 
   /// The samples [first, last) of a pixel.
   void add(std::int32_t x, std::int32_t y, std::uint32_t first, std::uint32_t last,
@@ -55,11 +56,18 @@ class SampleTracer {
     if (memory_.general)
       for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
         note_cut(static_cast<double>(memory_.general->workspace().rays[0][i].cut));
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
-      waiting_[i].pixel->add(
-          {{static_cast<float>(level.rays.r[i]), static_cast<float>(level.rays.g[i]),
-            static_cast<float>(level.rays.b[i])},
-           waiting_[i].negative});
+    std::fill_n(hits_.begin(), count_, false);
+    for (std::int32_t h = 0; h < level.hit_count; ++h)
+      hits_[static_cast<std::size_t>(level.hits.ray[h])] = true;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+      FilmSample sample{{static_cast<float>(level.rays.r[i]), static_cast<float>(level.rays.g[i]),
+                         static_cast<float>(level.rays.b[i])},
+                        waiting_[i].negative,
+                        hits_[i]};
+      // Behind what is transparent is nothing.
+      if (job_.options.transparent && !sample.hits) std::fill_n(sample.color, 3, 0.0f);
+      waiting_[i].pixel->add(sample);
+    }
     count_ = 0;
   }
 
@@ -85,6 +93,7 @@ class SampleTracer {
   const SampleRays<R>& samples_;
   TracerMemory<R> memory_;
   std::vector<Waiting> waiting_;
+  std::vector<bool> hits_;
   std::int32_t count_ = 0;
 };
 
@@ -97,7 +106,10 @@ class SampledPicture {
         samples_(job.scene.camera, job.options.profile, job.options.sampling,
                  job.scene.textures != nullptr),
         bounds_(job.bounds(samples_.filter().radius())),
-        tracers_([this] { return SampleTracer<R>(job_, samples_); }) {}
+        tracers_([this] { return SampleTracer<R>(job_, samples_); }),
+        alpha_(job.options.transparent
+                   ? std::size_t{rendering.image.width} * rendering.image.height
+                   : 0) {}
 
   /// As many samples for each pixel: tile by tile, and a tile's film is all that there is at a
   /// time.
@@ -191,8 +203,11 @@ class SampledPicture {
     const std::uint64_t before = tracer.counts.total();
     const TileRect seen = bounds_ ? bounds_->part_of(tile) : tile;
     const V3<R>& background = job_.scene.background;
-    const FilmSample empty{{static_cast<float>(background.x), static_cast<float>(background.y),
-                            static_cast<float>(background.z)}};
+    FilmSample empty;
+    if (!job_.options.transparent)
+      empty.color[0] = static_cast<float>(background.x),
+      empty.color[1] = static_cast<float>(background.y),
+      empty.color[2] = static_cast<float>(background.z);
     each_pixel(tile, [&](std::int32_t column, std::int32_t row) {
       const std::int32_t x = tile.x + column, y = tile.y + row;
       if (!wants(x, y)) return;
@@ -213,8 +228,12 @@ class SampledPicture {
     for (std::int32_t y = rect.y; y < rect.y + rect.height; ++y) {
       float* color = rendering_.image.row(static_cast<std::uint32_t>(y - job_.part.y)) +
                      3 * (rect.x - job_.part.x);
-      for (std::int32_t x = rect.x; x < rect.x + rect.width; ++x, color += 3)
+      for (std::int32_t x = rect.x; x < rect.x + rect.width; ++x, color += 3) {
         film.at(x, y).mean(samples_.filter(), color);
+        if (!alpha_.empty())
+          alpha_[static_cast<std::size_t>(color - rendering_.image.pixels.data()) / 3] =
+              film.at(x, y).coverage(samples_.filter());
+      }
     }
   }
 
@@ -229,6 +248,11 @@ class SampledPicture {
   }
 
   void finish() {
+    if (!alpha_.empty()) {
+      rendering_.layers.width = rendering_.image.width;
+      rendering_.layers.height = rendering_.image.height;
+      rendering_.layers.channels.push_back({"A", std::move(alpha_), true});
+    }
     double all_cut = 0;
     for (const SampleTracer<R>& tracer : tracers_) {
       add(rendering_.stats.rays, tracer.counts);
@@ -244,6 +268,7 @@ class SampledPicture {
   const SampleRays<R> samples_;
   const std::optional<ScreenBounds> bounds_;
   tbb::enumerable_thread_specific<SampleTracer<R>> tracers_;
+  std::vector<float> alpha_;  ///< of a transparent picture
 };
 
 }  // namespace

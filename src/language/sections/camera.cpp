@@ -2,7 +2,7 @@
 // [camera]: where the picture is seen from.
 #include <fmt/format.h>
 
-#include <array>
+#include <cmath>
 #include <initializer_list>
 
 #include "language/sections.hpp"
@@ -34,6 +34,10 @@ double aspect_of(const Scene& scene) {
   return static_cast<double>(scene.resolution.width) / scene.resolution.height;
 }
 
+bool is_finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 void complain(const Item& item, std::string_view key, std::string_view message,
               std::string hint = {}) {
   item.complain(key, std::string(message), std::move(hint));
@@ -56,7 +60,14 @@ std::optional<Camera> view_of(const Entry& entry, std::initializer_list<std::str
     return std::nullopt;
   }
   const std::optional<Camera> camera = looking();
-  if (camera) return camera;
+  if (camera && is_finite(camera->window_center) && is_finite(camera->window_right) &&
+      is_finite(camera->window_up))
+    return camera;
+  if (camera) {
+    complain(item, "eye",
+             fmt::format("what {} sees is too far away, or too large, for numbers", what));
+    return std::nullopt;
+  }
   if (entry.eye == entry.look_at)
     complain(item, "look_at", "the camera's eye is at the point that it looks at");
   else
@@ -77,10 +88,10 @@ bool set_lens(const Entry& entry, double usual, const Item& item, std::string_vi
   if (entry.aperture > 0) camera.focus_distance = usual;
   if (entry.focus_distance) camera.focus_distance = *entry.focus_distance;
   if (entry.focus) camera.focus_distance = depth_of(*entry.focus, camera);
-  if (camera.focus_distance > 0) return true;
-  complain(
-      item, entry.focus ? "focus" : "window",
-      fmt::format("{} of {} is not in front of the eye", entry.focus ? "focus" : "window", what));
+  if (camera.focus_distance > 0 && std::isfinite(camera.focus_distance)) return true;
+  const std::string_view key = entry.focus ? "focus" : entry.window ? "window" : "look_at";
+  complain(item, key,
+           fmt::format("{} of {} is not in front of the eye, or too far away", key, what));
   return false;
 }
 

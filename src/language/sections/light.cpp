@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "language/sections.hpp"
 #include "scene/view.hpp"
@@ -65,6 +66,9 @@ void put_spot(Spot& spot, Item& item) {
   if (spot.target) spot.direction = minus(*spot.target, spot.position);
   if (spot.direction == Vec3{})
     return item.complain("target", "target of spot light is its position");
+  const auto& [x, y, z] = spot.direction;
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
+    return item.complain("target", "target of spot light is too far away for numbers");
   // What is not said makes room for what is.
   if (item.node.find("inner_deg") == nullptr)
     spot.inner_deg = std::min(spot.inner_deg, spot.outer_deg);
