@@ -58,9 +58,9 @@ write_thresholds() {
   local scene name t rays all
   number() { sed -n "s/.*\"$1\": \([0-9.e-]*\).*/\1/p" "$2" | head -n 1; }
   {
-    echo '| scene | t | reflected and refracted rays | saved | largest error | mean error |'
-    echo '|---|--:|--:|--:|--:|--:|'
-    for scene in lab/input.txt lab/bubble.txt ice.toml; do
+    echo '| scene | t | reflected and refracted rays | saved | a pixel lacks at most | largest error | mean error |'
+    echo '|---|--:|--:|--:|--:|--:|--:|'
+    for scene in lab/input.txt lab/bubble.txt ice-water.toml; do
       name=$(basename "$scene")
       all=
       for t in 0 1/1024 1/255 1/64; do
@@ -70,8 +70,8 @@ write_thresholds() {
         all=${all:-$rays}
         "$zraka" compare "$folder/$name.0.png" "$folder/$name.${t//\//.}.png" --format json >"$folder/compared" || true
         awk -v scene="$name" -v t="$t" -v rays="$rays" -v all="$all" -v largest="$(number largest "$folder/compared")" \
-          -v mean="$(number mean "$folder/compared")" \
-          'BEGIN { printf "| %s | %s | %d | %.0f %% | %d | %.4f |\n", scene, t, rays, 100 - 100 * rays / all, largest, mean }'
+          -v mean="$(number mean "$folder/compared")" -v most="$(number most "$folder/stats")" \
+          'BEGIN { printf "| %s | %s | %d | %.0f %% | %.3f | %d | %.4f |\n", scene, t, rays, 100 - 100 * rays / all, most, largest, mean }'
       done
     done
   } >"$folder/table"

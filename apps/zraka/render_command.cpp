@@ -49,6 +49,8 @@ void print_json(const Rendering& rendering, const Seconds& seconds, const std::s
                        {"refracted", s.rays.refracted}}},
                      {"samples_per_pixel", s.samples_per_pixel},
                      {"hits", s.rays.hits},
+                     {"cut",
+                      {{"rays", s.rays.cut}, {"most", s.most_cut}, {"mean", s.mean_cut}}},
                      {"bytes", {{"scene", s.scene_bytes}, {"accel", s.accel_bytes}}},
                      {"threads", s.threads},
                      {"isa", name_of(s.isa)},
@@ -67,6 +69,9 @@ void print_text(const Rendering& rendering, const Seconds& seconds, const std::s
              static_cast<double>(s.rays.total()) / s.render_seconds / 1e6);
   if (s.samples_per_pixel != 1) fmt::print("samples {:.4g} a pixel\n", s.samples_per_pixel);
   fmt::print("hits    {}\n", grouped(s.rays.hits));
+  if (s.rays.cut > 0)
+    fmt::print("cut     {} rays not traced; a pixel lacks at most {:.3g}, on average {:.3g}\n",
+               grouped(s.rays.cut), s.most_cut, s.mean_cut);
   fmt::print("memory  scene {} bytes, acceleration structure {} bytes\n", grouped(s.scene_bytes),
              grouped(s.accel_bytes));
   fmt::print("with    {} threads, {}\n", s.threads, name_of(s.isa));
