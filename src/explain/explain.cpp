@@ -7,10 +7,11 @@
 #include <new>
 #include <zraka/explain.hpp>
 
+#include "explain/camera_rays.hpp"
 #include "explain/tile_listeners.hpp"
 #include "explain/tree_reader.hpp"
 #include "render/corners.hpp"
-#include "render/workspace.hpp"
+#include "render/tracer.hpp"
 
 namespace zraka {
 namespace {
@@ -59,7 +60,8 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
                           .profile = stand.options.profile,
                           .max_depth = stand.options.max_depth,
                           .ambient_light = float3(stand.frozen().ambient_light),
-                          .background = float3(stand.frozen().background)};
+                          .background = float3(stand.frozen().background),
+                          .sky = stand.scene.sky.kind};
   for (std::size_t i = 0; i < stand.scene.lights.size(); ++i)
     explanation.lights.push_back(
         {stand.scene.lights[i].position, float3(stand.frozen().lights[i].color),
@@ -91,6 +93,21 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
     std::copy_n(pixel.pixels.begin(), 3, explanation.color.begin());
   }
   return explanation;
+}
+
+/// One sample of each pixel of a tile.
+void trace_generally(const Stand& stand, const TileRect& tile, TracerMemory<float>& memory,
+                     Image& image) {
+  RayCounts counts;
+  put_camera_rays(stand.frozen(), tile, 0, memory.workspace());
+  trace_rays(*stand.kernel, stand.frozen(), stand.settings, memory, counts);
+  const RayArrays<float>& rays = memory.workspace().levels[0].rays;
+  std::size_t i = 0;
+  each_pixel(tile, [&](std::int32_t x, std::int32_t y) {
+    float* const pixel = image.row(static_cast<std::uint32_t>(y)) + 3 * x;
+    pixel[0] = rays.r[i], pixel[1] = rays.g[i], pixel[2] = rays.b[i];
+    ++i;
+  });
 }
 
 Stand stand_for(const Scene& scene, RenderOptions options, Isa isa, const Variation& variation) {
@@ -166,11 +183,13 @@ Neighbourhood Explainer::around(std::uint32_t x, std::uint32_t y, std::uint32_t 
   const TileRect tile{static_cast<std::int32_t>(found.left), static_cast<std::int32_t>(found.top),
                       static_cast<std::int32_t>(rays.width),
                       static_cast<std::int32_t>(rays.height)};
-  WorkspaceMemory<float> workspace(tile.width * tile.height, stand.settings.max_depth,
-                                   stand.frozen().textures != nullptr);
+  TracerMemory<float> memory(tile.width * tile.height, stand.frozen(), stand.settings);
   RayCounts counts;
-  stand.kernel->trace_tile(stand.frozen(), stand.settings, tile, workspace.workspace(), counts,
-                           rays.pixels.data(), rays.width);
+  if (memory.general)
+    trace_generally(stand, tile, memory, rays);
+  else
+    stand.kernel->trace_tile(stand.frozen(), stand.settings, tile, memory.workspace(), counts,
+                             rays.pixels.data(), rays.width);
   found.image = corner == 0 ? std::move(rays) : means_of_corners(std::move(rays));
   return found;
 }
