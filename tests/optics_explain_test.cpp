@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the general engine does is told to the bit: trees folded from printed JSON are the
 // picture's, and what is said of them is what happened.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -10,7 +9,7 @@
 
 #include "explain/json.hpp"
 #include "fold.hpp"
-#include "scenes.hpp"
+#include "optics_scenes.hpp"
 
 namespace zraka {
 namespace {
@@ -29,145 +28,8 @@ bool same_bits(const Float3& a, const float* b) {
   return true;
 }
 
-/// A floor, a wall of mirror, glass and matt bodies in front; what a test adds is up to it.
-Scene room(std::uint32_t side = 24) {
-  Scene scene;
-  scene.resolution = {side, side};
-  scene.camera = {{0, 1, 6}, {0, 0.8, 0}, {4, 0, 0}, {0, 4, 0}};
-  scene.ambient_light = {0.3, 0.3, 0.4};
-  scene.background = {0.1, 0.3, 0.5};
-  scene.lights = {{{2, 4, 3}, {0.9, 0.8, 0.7}}, {{-3, 2, 1}, {0.3, 0.4, 0.5}}};
-  scene.materials = {
-      {.ambient = {0.2, 0.2, 0.2}, .diffuse = {0.6, 0.5, 0.4}, .specular = {0.3, 0.3, 0.3}},
-      {.ambient = {}, .diffuse = {0.05, 0.05, 0.05}, .specular = {0.5, 0.5, 0.5}, .shininess = 80,
-       .reflection = 0.1, .refraction = 0.85, .ior = 1.5},
-      {.ambient = {0.1, 0, 0}, .diffuse = {0.3, 0.3, 0.3}, .reflection = Color{0.5, 0.6, 0.7}},
-      {.ambient = {0.4, 0.1, 0.1}, .diffuse = {0.7, 0.2, 0.2}, .specular = {1, 1, 1},
-       .shininess = 20, .highlight = Highlight::blinn},
-  };
-  scene.planes.push_back({Plane{{0, -1, 0}, {0, 1, 0}}, 0});
-  scene.parallelograms.push_back({Parallelogram{{-3, -1, -3}, {6, 0, 0}, {0, 4, 0}}, 2});
-  scene.spheres.push_back({Sphere{{-0.6, 0.2, 0.5}, 0.9}, 1});
-  scene.spheres.push_back({Sphere{{1.1, 0, -1}, 0.7}, 3});
-  scene.boxes.push_back({Box{{0.5, -1, 0.8}, {1.2, -0.2, 1.5}}, 1});
-  scene.names[{0, 0}] = "bowl";
-  scene.material_names[1] = "glass";
-  return scene;
-}
-
-Light surface_light(LightKind kind, int samples = 4) {
-  Light light;
-  light.kind = kind;
-  light.position = {1, 3.5, 2};
-  light.edge_u = {1, 0, 0}, light.edge_v = {0, 0, 1};
-  light.radius = 0.6;
-  light.color = {0.8, 0.7, 0.9};
-  light.samples = samples;
-  return light;
-}
-
-struct Case {
-  std::string name;
-  Scene scene;
-  RenderOptions options{};
-};
-
-std::vector<Case> cases() {
-  std::vector<Case> all;
-  const auto add = [&](std::string name, const auto& change) {
-    Case one{std::move(name), room(), {.profile = profile_of(ProfileName::physical)}};
-    change(one.scene, one.options);
-    all.push_back(std::move(one));
-  };
-  add("spot", [](Scene& s, RenderOptions&) {
-    s.lights[0].kind = LightKind::spot;
-    s.lights[0].direction = {-2, -4, -3};
-    s.lights[0].inner_deg = 8, s.lights[0].outer_deg = 20;
-  });
-  add("directional", [](Scene& s, RenderOptions&) {
-    s.lights[0].kind = LightKind::directional;
-    s.lights[0].direction = {-1, -3, -2};
-  });
-  for (const LightKind kind : {LightKind::rectangle, LightKind::disc, LightKind::sphere})
-    add(fmt::format("surface {}", static_cast<int>(kind)), [&](Scene& s, RenderOptions& o) {
-      s.lights.push_back(surface_light(kind));
-      o.shadows = kind == LightKind::disc ? Shadows::transparent : Shadows::opaque;
-    });
-  add("attenuation", [](Scene& s, RenderOptions&) { s.lights[0].attenuation = {1, 0.1, 0.05}; });
-  add("transparent shadows", [](Scene& s, RenderOptions& o) {
-    s.materials[1].absorption = {0.1, 0.4, 0.9};
-    s.materials[1].refraction = Color{0.9, 0.6, 0.3};
-    o.shadows = Shadows::transparent;
-  });
-  for (const Fresnel fresnel : {Fresnel::exact, Fresnel::schlick})
-    for (const ProfileName profile : {ProfileName::physical, ProfileName::lab, ProfileName::spd})
-      add(fmt::format("fresnel {}", static_cast<int>(fresnel)), [&](Scene& s, RenderOptions& o) {
-        s.materials[1].fresnel = fresnel;
-        s.materials[1].reflection = 0;
-        s.materials[1].refraction = Color{1, 0.9, 0.8};
-        o.profile = profile_of(profile);
-      });
-  add("priorities", [](Scene& s, RenderOptions& o) {
-    s.materials[1].priority = 1;
-    s.materials[1].absorption = {0.2, 0.1, 0};
-    s.materials.push_back({.ambient = {}, .diffuse = {}, .refraction = 1, .ior = 1.2,
-                           .absorption = {0, 0.3, 0.5}, .priority = 2});
-    s.spheres.push_back({Sphere{{-0.3, 0.4, 0.9}, 0.5}, 4});
-    o.max_depth = 6;
-  });
-  add("dispersion", [](Scene& s, RenderOptions& o) {
-    s.materials[1].dispersion = {Dispersion::Kind::abbe, {20}};
-    s.materials[1].fresnel = Fresnel::exact;
-    o.wavelengths = 5;
-    o.max_depth = 3;
-  });
-  add("cut", [](Scene& s, RenderOptions& o) {
-    s.materials[1].fresnel = Fresnel::exact;
-    s.materials[1].dispersion = {Dispersion::Kind::cauchy, {1.4, 0.02}};
-    o.wavelengths = 6;
-    o.min_contribution = 0.1;
-    o.max_depth = 6;
-  });
-  add("occlusion", [](Scene& s, RenderOptions&) { s.ambient_occlusion.samples = 8; });
-  add("occlusion and transparent", [](Scene& s, RenderOptions& o) {
-    s.ambient_occlusion = {.samples = 4, .distance = 2, .color = {1, 0.9, 0.5}};
-    o.shadows = Shadows::transparent;
-  });
-  add("sky", [](Scene& s, RenderOptions&) {
-    s.sky.kind = Sky::Kind::gradient;
-    s.sky.bottom = {0.9, 0.8, 0.7}, s.sky.top = {0.1, 0.2, 0.9};
-  });
-  add("lab, clamped", [](Scene& s, RenderOptions& o) {
-    s.lights[0].color = {3, 3, 3};
-    s.materials[1].absorption = {0.3, 0.2, 0.1};
-    s.materials[1].ior = 0.667;
-    o.profile = profile_of(ProfileName::lab);
-  });
-  add("textures", [](Scene& s, RenderOptions& o) {
-    s.textures.push_back({.kind = TextureKind::checker});
-    s.textures[0].colors = {{0.9, 0.9, 0.9}, {0.2, 0.3, 0.1}};
-    s.materials[0].textures = {{Coefficient::ambient, 0}, {Coefficient::diffuse, 0}};
-    s.materials[1].textures = {{Coefficient::refraction, 0}};
-    s.materials[1].fresnel = Fresnel::schlick;
-    s.materials[1].absorption = {0.1, 0.4, 0.9};
-    s.materials[1].dispersion = {Dispersion::Kind::abbe, {30}};
-    s.lights.push_back(surface_light(LightKind::sphere, 2));
-    o.wavelengths = 3;
-    o.max_depth = 3;
-    o.shadows = Shadows::transparent;
-  });
-  for (const NamedScene& named : test_scenes(24))
-    add(named.name, [&](Scene& s, RenderOptions& o) {
-      s = named.scene;
-      o.min_contribution = 1e-3;
-      o.shadows = Shadows::transparent;
-      o.profile = profile_of(ProfileName::lab);
-    });
-  return all;
-}
-
 TEST(ExplainedOptics, FoldToThePicturesBits) {
-  for (const Case& one : cases()) {
+  for (const OpticsCase& one : optics_cases()) {
     const Result<Rendering> rendering = render(one.scene, one.options);
     ASSERT_TRUE(rendering) << one.name << to_string(rendering.error().front());
     const Image& image = rendering->image;
@@ -185,7 +47,7 @@ TEST(ExplainedOptics, FoldToThePicturesBits) {
 }
 
 TEST(ExplainedOptics, FoldAtEveryStage) {
-  for (const Case& one : cases()) {
+  for (const OpticsCase& one : optics_cases()) {
     RenderOptions options = one.options;
     for (int stage = 1; stage <= 7; ++stage) {
       options.terms = terms_of(static_cast<Stage>(stage));
@@ -200,13 +62,167 @@ TEST(ExplainedOptics, FoldAtEveryStage) {
 }
 
 TEST(ExplainedOptics, HaveNeighboursAsInThePicture) {
-  for (const Case& one : cases()) {
+  for (const OpticsCase& one : optics_cases()) {
     const Image image = render(one.scene, one.options).value().image;
     Explainer explainer = Explainer::create(one.scene, one.options).value();
     const Neighbourhood near = explainer.around(10, 11, 5);
     for (std::uint32_t y = 0; y < 5; ++y)
       for (std::uint32_t x = 0; x < 15; ++x)
         ASSERT_EQ(near.image.row(y)[x], image.row(near.top + y)[3 * near.left + x]) << one.name;
+  }
+}
+
+TEST(ExplainedOptics, PrintFactorsOfTheirTerms) {
+  std::size_t filtered = 0, faded = 0, occluded = 0;
+  for (const OpticsCase& one : optics_cases()) {
+    Explainer explainer = Explainer::create(one.scene, one.options).value();
+    for (std::uint32_t i = 0; i < 24; i += kStep) {
+      const Explanation e = explainer.pixel(i, 23 - i).value();
+      for (const ExplainedRay& ray : e.trees.front().rays) {
+        if (!ray.hit) continue;
+        const ExplainedHit& hit = *ray.hit;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const float o = hit.occlusion ? (*hit.occlusion)[c] : 1;
+          occluded += hit.occlusion && o < 1;
+          EXPECT_EQ(hit.ambient[c], e.ambient_light[c] * hit.ka[c] * o);
+          for (std::size_t l = 0; l < hit.lights.size(); ++l) {
+            const LightTerms& at = hit.lights[l];
+            if (at.samples > 1) continue;
+            float ii = at.arriving[c];
+            faded += ii != e.lights[l].color[c];
+            if (at.filter) ii = ii * (*at.filter)[c];
+            filtered += at.filter && at.diffuse && (*at.filter)[c] < 1;
+            if (at.diffuse) {
+              EXPECT_EQ((*at.diffuse)[c], ii * hit.kd[c] * at.l_n);
+            }
+            if (at.specular) {
+              EXPECT_EQ((*at.specular)[c], ii * hit.ks[c] * at.highlight.value_or(0));
+            }
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(filtered, 10u);
+  EXPECT_GT(faded, 10u);
+  EXPECT_GT(occluded, 10u);
+}
+
+/// All hits of a picture's pixels.
+template <class Function>
+void each_hit(const Scene& scene, const RenderOptions& options, const Function& function) {
+  Explainer explainer = Explainer::create(scene, options).value();
+  for (std::uint32_t i = 0; i < scene.resolution.width * scene.resolution.height; i += kStep) {
+    const Explanation e =
+        explainer.pixel(i % scene.resolution.width, i / scene.resolution.width).value();
+    for (const RayTree& tree : e.trees)
+      for (const ExplainedRay& ray : tree.rays)
+        if (ray.hit) function(e, tree, ray, *ray.hit);
+  }
+}
+
+TEST(ExplainedOptics, FiltersAreTheProductsOfWhatIsPassed) {
+  const OpticsCase one = optics_case("transparent shadows");
+  std::size_t passed = 0, stopped = 0;
+  each_hit(one.scene, one.options, [&](const Explanation&, const RayTree&, const ExplainedRay&,
+                                       const ExplainedHit& hit) {
+    for (const LightTerms& at : hit.lights) {
+      if (!at.filter) continue;
+      Float3 product{1, 1, 1};
+      double last = 0;
+      for (const PassedBody& body : at.passed) {
+        EXPECT_GT(body.distance, last);
+        last = body.distance;
+        for (std::size_t c = 0; c < 3; ++c)
+          product[c] = product[c] * body.transmittance[c] * body.share[c];
+      }
+      EXPECT_EQ(product, *at.filter);
+      passed += at.reach == Reach::lit;
+      stopped += at.reach == Reach::blocked;
+      EXPECT_EQ(at.blocker.has_value(), at.reach == Reach::blocked);
+    }
+  });
+  EXPECT_GT(passed, 20u);
+  EXPECT_GT(stopped, 20u);
+}
+
+TEST(ExplainedOptics, SharesAreFresnels) {
+  const OpticsCase one = optics_case("fresnel 1");
+  std::size_t both = 0;
+  each_hit(one.scene, one.options, [&](const Explanation&, const RayTree&, const ExplainedRay&,
+                                       const ExplainedHit& hit) {
+    if (!hit.snell || !hit.snell->fresnel) return;
+    const double f = *hit.snell->fresnel;
+    EXPECT_EQ(f == 1, hit.snell->total);
+    EXPECT_NEAR(hit.snell->n1 / hit.snell->n2, static_cast<double>(hit.snell->ratio), 1e-6);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double k1 = hit.reflection[c], k2 = hit.refraction[c];
+      if (hit.reflected.ray >= 0) {
+        EXPECT_NEAR(hit.reflected.shares[c], k1 + k2 * f, 1e-6);
+      }
+      if (hit.refracted.ray >= 0) {
+        EXPECT_NEAR(hit.refracted.shares[c], k2 * (1 - f), 1e-6);
+      }
+    }
+    both += hit.reflected.ray >= 0 && hit.refracted.ray >= 0;
+  });
+  EXPECT_GT(both, 100u);
+}
+
+TEST(ExplainedOptics, SplitRaysAreAllWavelengths) {
+  const OpticsCase one = optics_case("dispersion");
+  std::size_t split = 0;
+  each_hit(one.scene, one.options, [&](const Explanation& e, const RayTree& tree,
+                                       const ExplainedRay& ray, const ExplainedHit& hit) {
+    if (hit.split.empty()) return;
+    EXPECT_FALSE(ray.nm);
+    EXPECT_LE(hit.split.size(), 5u);
+    double last = 0;
+    for (const SplitChild& part : hit.split) {
+      EXPECT_GT(part.nm, last);
+      last = part.nm;
+      const ExplainedRay& child = tree.rays[static_cast<std::size_t>(part.child.ray)];
+      EXPECT_EQ(child.nm, part.nm);
+      EXPECT_EQ(child.shares, part.child.shares);
+    }
+    EXPECT_EQ(e.wavelengths, 5);
+    split += hit.split.size() == 5;
+  });
+  EXPECT_GT(split, 50u);
+}
+
+TEST(ExplainedOptics, BoundWhatIsNotTraced) {
+  const OpticsCase one = optics_case("cut");
+  std::size_t cut = 0, parts = 0;
+  each_hit(one.scene, one.options, [&](const Explanation& e, const RayTree&, const ExplainedRay&,
+                                       const ExplainedHit& hit) {
+    for (const Child* child : {&hit.reflected, &hit.refracted}) {
+      EXPECT_EQ(child->bound.has_value(), child->absence == Absence::contribution);
+      if (!child->bound) continue;
+      EXPECT_GT(*child->bound, 0);
+      if (child == &hit.reflected || !hit.snell->nm) {
+        EXPECT_LT(*child->bound, e.min_contribution);
+      }
+      ++cut;
+      parts += child == &hit.refracted && !hit.split.empty();
+    }
+  });
+  EXPECT_GT(cut, 50u);
+  EXPECT_GT(parts, 0u);
+}
+
+TEST(ExplainedOptics, OfScenesWithoutAreAsTheyWere) {
+  const Scene scene = room_with_glass();
+  Scene lean = scene;
+  lean.materials[2].reflection = 0.5;
+  lean.materials[3].highlight = Highlight::phong;
+  Explainer explainer = Explainer::create(lean, {}).value();
+  for (std::uint32_t i = 0; i < 24; ++i) {
+    const std::string text = to_json(explainer.pixel(i, i).value(), "", "", "");
+    for (const char* word :
+         {"shares", "arriving", "samples", "medium", "k1_rgb", "n1\"", "\"nm", "sky", "inside\"",
+          "split", "fresnel", "passed", "kind\": \"point"})
+      EXPECT_EQ(text.find(word), std::string::npos) << word;
   }
 }
 

@@ -230,9 +230,10 @@ class Explainer {
   Explainer& operator=(Explainer&&) noexcept;
   ~Explainer();
 
-  /// Column x, row y from the picture's upper left corner. Fails outside of the picture, and where
-  /// a tree has more rays or terms than kMaxExplainedRays and kMaxExplainedTerms.
-  Result<Explanation> pixel(std::uint32_t x, std::uint32_t y);
+  /// Column x, row y from the picture's upper left corner; of several samples, this one, counted
+  /// from 0. Fails outside of the picture, of the samples, and where a tree has more rays or terms
+  /// than kMaxExplainedRays and kMaxExplainedTerms.
+  Result<Explanation> pixel(std::uint32_t x, std::uint32_t y, std::uint32_t sample = 0);
 
   /// A square of at most side×side pixels, 1 ≤ side < kMaxTile, around a pixel of the picture, in
   /// its middle where the picture's edges leave room.

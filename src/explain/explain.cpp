@@ -24,7 +24,8 @@ Float3 float3(const V3<float>& v) {
 constexpr int kLevelsBeyond = 2;
 
 /// Finds out what the rays would bring that the depth cuts off.
-void look_beyond(const Stand& stand, std::uint32_t x, std::uint32_t y, RayTree& tree) {
+void look_beyond(const Stand& stand, std::uint32_t x, std::uint32_t y, std::uint32_t sample,
+                 RayTree& tree) {
   const auto is_cut = [](const ExplainedRay& ray, const Child& child, float share) {
     return child.absence == Absence::depth &&
            std::fabs(ray.weight * static_cast<double>(share)) >= kNotableWeight;
@@ -37,7 +38,7 @@ void look_beyond(const Stand& stand, std::uint32_t x, std::uint32_t y, RayTree& 
   TraceSettings settings = stand.settings;
   settings.max_depth += kLevelsBeyond;
   // Its first levels are the same rays in the same order. One that is too large says nothing.
-  const Result<RayTree> deeper = read_tree(stand, settings, x, y);
+  const Result<RayTree> deeper = read_tree(stand, settings, x, y, sample);
   if (!deeper) return;
   for (std::size_t r = 0; r < tree.rays.size(); ++r) {
     if (!tree.rays[r].hit) continue;
@@ -51,8 +52,16 @@ void look_beyond(const Stand& stand, std::uint32_t x, std::uint32_t y, RayTree& 
   }
 }
 
+/// The most samples that a pixel has.
+std::uint32_t samples_of(const Sampling& sampling) {
+  const auto count = static_cast<std::uint32_t>(
+      sampling.kind == Sampling::Kind::adaptive ? sampling.most : sampling.count);
+  return sampling.kind == Sampling::Kind::grid ? count * count : count;
+}
+
 /// All of a pixel: one tree, or those of its four corners and their mean.
-Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_t y) {
+Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_t y,
+                               std::uint32_t sample) {
   Explanation explanation{.x = x,
                           .y = y,
                           .resolution = stand.scene.resolution,
@@ -66,6 +75,8 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
     explanation.lights.push_back(
         {stand.scene.lights[i].position, float3(stand.frozen().lights[i].color),
          stand.scene.lights[i]});
+  explanation.sample = sample;
+  explanation.samples = samples_of(stand.options.sampling);
   explanation.general = stand.frozen().optics != nullptr;
   explanation.min_contribution = stand.settings.min_contribution;
   explanation.brightest = stand.settings.brightest;
@@ -74,9 +85,9 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
   const std::uint32_t corners = stand.options.profile.average_corners ? 2 : 1;
   for (std::uint32_t j = 0; j < corners; ++j)
     for (std::uint32_t i = 0; i < corners; ++i) {
-      Result<RayTree> tree = read_tree(stand, stand.settings, x + i, y + j);
+      Result<RayTree> tree = read_tree(stand, stand.settings, x + i, y + j, sample);
       if (!tree) return tl::make_unexpected(tree.error());
-      look_beyond(stand, x + i, y + j, *tree);
+      look_beyond(stand, x + i, y + j, sample, *tree);
       explanation.trees.push_back(std::move(*tree));
     }
   explanation.color = explanation.trees[0].rays[0].color;
@@ -145,6 +156,7 @@ Result<Explainer> varied_explainer(const Scene& scene, const RenderOptions& opti
                                    const Variation& variation) {
   const Result<Isa> isa = isa_to_listen_to(scene, options);
   if (!isa) return tl::make_unexpected(isa.error());
+  if (variation.kernel != nullptr && needs_general_engine(scene, options)) return beyond_the_lab();
   try {
     return Explainer(std::unique_ptr<Explainer::Impl>(
         new Explainer::Impl{stand_for(scene, options, *isa, variation)}));
@@ -153,7 +165,7 @@ Result<Explainer> varied_explainer(const Scene& scene, const RenderOptions& opti
   }
 }
 
-Result<Explanation> Explainer::pixel(std::uint32_t x, std::uint32_t y) {
+Result<Explanation> Explainer::pixel(std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
   const Resolution size = impl_->stand.scene.resolution;
   if (x >= size.width || y >= size.height)
     return failure("",
@@ -162,8 +174,11 @@ Result<Explanation> Explainer::pixel(std::uint32_t x, std::uint32_t y) {
                    fmt::format("columns go from 0 to {} from the left, rows from 0 to {} from the "
                                "top",
                                size.width - 1, size.height - 1));
+  if (const std::uint32_t all = samples_of(impl_->stand.options.sampling); sample >= all)
+    return failure("", all == 1 ? std::string("a pixel of this picture has one sample")
+                                : fmt::format("a pixel of this picture has {} samples at most", all));
   try {
-    return read_pixel(impl_->stand, x, y);
+    return read_pixel(impl_->stand, x, y, sample);
   } catch (const std::bad_alloc&) {
     return failure("", fmt::format("not enough memory for the ray tree of pixel ({}, {})", x, y),
                    "ask for fewer levels with a smaller depth");

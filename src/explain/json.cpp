@@ -7,6 +7,7 @@
 
 #include "core/json.hpp"
 #include "explain/angles.hpp"
+#include "explain/optics_words.hpp"
 #include "explain/surface_json.hpp"
 
 namespace zraka {
@@ -21,10 +22,6 @@ constexpr const char* kReachNames[] = {"lit", "unchecked", "behind", "blocked", 
 constexpr const char* kAbsenceNames[] = {"", "share is 0", "depth limit", "stage",
                                          "total internal reflection", "contribution"};
 constexpr const char* kRayNames[] = {"camera", "reflected", "refracted"};
-
-bool is_grey(const Float3& v) {
-  return v[0] == v[1] && v[1] == v[2];
-}
 
 Json body_json(const NamedShape& shape, const ExplainedPath& path) {
   Json json = shape_json(shape);

@@ -225,13 +225,13 @@ void TreeReader::at_fold(const Level<float>& level) {
 }  // namespace
 
 Result<RayTree> read_tree(const Stand& stand, const TraceSettings& settings, std::uint32_t x,
-                          std::uint32_t y) {
+                          std::uint32_t y, std::uint32_t sample) {
   const TileRect pixel{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), 1, 1};
   TooLarge too_large;
   for (std::int32_t batch = 64; batch <= kMaxExplainedRays; batch *= 16) {
     if (stand.frozen().optics != nullptr) {
       if (std::optional<RayTree> tree =
-              read_general_tree(stand, settings, {pixel.x, pixel.y, 0}, batch, too_large))
+              read_general_tree(stand, settings, {pixel.x, pixel.y, sample}, batch, too_large))
         return std::move(*tree);
       continue;
     }

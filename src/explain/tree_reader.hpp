@@ -52,9 +52,9 @@ struct TooLarge {
   std::uint64_t terms = 0;                     ///< of light, if they are what is too much
 };
 
-/// The tree of the ray through a corner or the centre of a pixel, to the depth of the settings.
-/// Fails where it is too large.
+/// The tree of the ray through a corner or the centre of a pixel, or of one of its samples, to the
+/// depth of the settings. Fails where it is too large.
 Result<RayTree> read_tree(const Stand& stand, const TraceSettings& settings, std::uint32_t x,
-                          std::uint32_t y);
+                          std::uint32_t y, std::uint32_t sample = 0);
 
 }  // namespace zraka

@@ -13,6 +13,7 @@
 #include <vector>
 #include <zraka/render.hpp>
 
+#include "core/phrase.hpp"
 #include "core/spread.hpp"
 #include "render/corners.hpp"
 #include "render/isa.hpp"
@@ -195,6 +196,7 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
   if (!problems.empty()) return tl::make_unexpected(std::move(problems));
   const Result<Isa> isa = choose_isa(options.isa);
   if (!isa) return tl::make_unexpected(isa.error());
+  if (variation.kernel != nullptr && needs_general_engine(scene, options)) return beyond_the_lab();
   if (*isa == Isa::oracle && variation.kernel != nullptr)
     return failure("", "the oracle keeps to the rules", "ask for avx512, avx2 or portable");
 
@@ -230,6 +232,10 @@ Result<Rendering> render(const Scene& scene, const RenderOptions& options) {
 
 Result<Rendering> render(Scene&& scene, const RenderOptions& options) {
   return render_any(std::move(scene), options);
+}
+
+tl::unexpected<Diagnostics> beyond_the_lab() {
+  return failure("", phrase(Word::mistake_beyond), phrase(Word::mistake_rules));
 }
 
 Result<Rendering> render_varied(const Scene& scene, const RenderOptions& options,

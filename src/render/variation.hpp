@@ -20,7 +20,10 @@ struct Variation {
   VariedRules rules{};
 };
 
-/// render() with a variation; not for Isa::oracle.
+/// What to answer where the rules of a picture shall be varied that asks for more than the lab's.
+tl::unexpected<Diagnostics> beyond_the_lab();
+
+/// render() with a variation; not for Isa::oracle. Fails where needs_general_engine().
 Result<Rendering> render_varied(const Scene& scene, const RenderOptions& options,
                                 const Variation& variation);
 /// Explainer::create() with a variation.
