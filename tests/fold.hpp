@@ -27,18 +27,36 @@ struct Fold {
     for (std::size_t c = 0; c < 3; ++c) sum[c] = sum[c] + more[c] * share;
   }
 
+  void add_child(Float3& sum, const nlohmann::json& child) const {
+    if (child["ray"].is_null()) return;
+    const Float3 color = color_of(child["ray"]);
+    if (!child.contains("shares")) return add(sum, color, child["share"].get<float>());
+    const Float3 shares = color_from(child["shares"]);
+    for (std::size_t c = 0; c < 3; ++c) sum[c] = sum[c] + color[c] * shares[c];
+  }
+
   Float3 color_of(const nlohmann::json& ray) const {
     if (ray["kind"] == "mean") return mean_of(ray["corners"]);
-    if (ray["hit"].is_null()) return color_from(explanation["background"]);
+    if (ray["hit"].is_null()) {
+      if (!explanation.contains("sky")) {
+        EXPECT_EQ(color_from(ray["color"]), color_from(explanation["background"]));
+      }
+      return color_from(ray["color"]);
+    }
     const nlohmann::json& hit = ray["hit"];
     Float3 color = local_of(hit);
     EXPECT_EQ(color, color_from(hit["local"]));
-    for (const char* which : {"reflected", "refracted"})
-      if (!hit[which]["ray"].is_null())
-        add(color, color_of(hit[which]["ray"]), hit[which]["share"].get<float>());
+    add_child(color, hit["reflected"]);
+    add_child(color, hit["refracted"]);
+    if (hit.contains("split"))
+      for (const nlohmann::json& part : hit["split"]) add_child(color, part);
     EXPECT_EQ(color, color_from(hit["sum"]));
     if (explanation["clamp_levels"].get<bool>())
       for (float& c : color) c = std::min(std::max(c, 0.0f), 1.0f);
+    if (hit.contains("medium")) {
+      const Float3 left = color_from(hit["medium"]["transmittance"]);
+      for (std::size_t c = 0; c < 3; ++c) color[c] = color[c] * left[c];
+    }
     EXPECT_EQ(color, color_from(ray["color"]));
     return color;
   }

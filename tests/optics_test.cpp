@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <zraka/explain.hpp>
 #include <zraka/render.hpp>
 
 #include "engine/general/steps.hpp"
@@ -297,6 +298,123 @@ TEST(Priorities, SayWhichOfOverlappingBodiesCounts) {
   // Without priorities each face bends as if air were on its other side.
   scene.materials[0].priority = scene.materials[1].priority = 0;
   EXPECT_NEAR(middle(rendered(scene, options))[1], 1, 1e-6);
+}
+
+/// C = a·(1 + k + k² + …), to the depth.
+TEST(Mirrors, ThatFaceEachOtherGiveAGeometricSeries) {
+  Scene scene = narrow_scene(
+      {.ambient = {0.1, 0.2, 0.3}, .diffuse = {}, .reflection = Color{0.9, 0.5, 0.25}});
+  scene.camera = {{0, 0, 1}, {0, 0, 0}, {0.001, 0, 0}, {0, 0.001, 0}};
+  add_wall(scene, -2, 5, 0);
+  add_wall(scene, 3, 5, 0);
+  RenderOptions options;
+  options.max_depth = 40;
+  const auto seen = middle(rendered(scene, options));
+  const double a[] = {0.1, 0.2, 0.3}, k[] = {0.9, 0.5, 0.25};
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(static_cast<double>(seen[static_cast<std::size_t>(c)]),
+                a[c] * (1 - std::pow(k[c], 41)) / (1 - k[c]), 1e-5);
+}
+
+/// A prism of 60°, as what three planes have in common; its edges go along z.
+void add_prism(Scene& scene, std::uint32_t material) {
+  Csg prism{CsgOperation::intersect, {}};
+  for (const double angle : {90.0, 210.0, 330.0}) {
+    const double x = std::cos(angle * kPi / 180), y = std::sin(angle * kPi / 180);
+    prism.of.push_back({Plane{{x, y, 0}, {x, y, 0}}, kMaterialOfWhole, 0, ""});
+  }
+  prism.of.push_back({Box{{-9, -9, -9}, {9, 9, 9}}, kMaterialOfWhole, 0, ""});
+  scene.csgs.push_back({std::move(prism), material});
+}
+
+/// δ = i + e - 60°, sin e = n·sin(60° - asin(sin(i)/n)), for each wavelength.
+TEST(Dispersion, DeviatesEachWavelengthByThePrismsFormula) {
+  Scene scene;
+  scene.resolution = {1, 1};
+  scene.materials = {{.ambient = {},
+                      .diffuse = {},
+                      .refraction = 1,
+                      .dispersion = {Dispersion::Kind::cauchy, {1.5046, 0.0042, 0, 0, 0, 0}}}};
+  add_prism(scene, 0);
+  // Into the face whose normal is at 210°, 49° off it; the next is the one at 330°.
+  const double incidence = 49 * kPi / 180, toward = 210 * kPi / 180 + kPi + incidence;
+  const Vec3 on{std::cos(210 * kPi / 180), std::sin(210 * kPi / 180), 0};
+  const Vec3 way{std::cos(toward), std::sin(toward), 0};
+  scene.camera = {{on.x - 5 * way.x, on.y - 5 * way.y, 0}, on, {0, 0, 1e-4},
+                  {-1e-4 * way.y, 1e-4 * way.x, 0}};
+  RenderOptions options;
+  options.max_depth = 2;
+  options.wavelengths = 16;
+  const Result<Explanation> explanation = explain(scene, options, 0, 0);
+  ASSERT_TRUE(explanation);
+  int left = 0;
+  for (const ExplainedRay& ray : explanation->trees.front().rays) {
+    if (ray.depth != 2 || ray.kind != RayKind::refracted) continue;
+    ASSERT_TRUE(ray.nm);
+    const double um = *ray.nm / 1000, n = 1.5046 + 0.0042 / (um * um);
+    const double inner = 60 * kPi / 180 - std::asin(std::sin(incidence) / n);
+    const double deviation = incidence + std::asin(n * std::sin(inner)) - 60 * kPi / 180;
+    const double cosine = static_cast<double>(ray.direction[0]) * way.x +
+                          static_cast<double>(ray.direction[1]) * way.y;
+    EXPECT_NEAR(std::acos(cosine), deviation, 1e-4) << *ray.nm;
+    ++left;
+  }
+  EXPECT_EQ(left, 16);
+}
+
+TEST(Dispersion, LeavesWhiteWhite) {
+  Scene scene;
+  scene.resolution = {40, 40};
+  scene.camera = {{0, 0, 5}, {0, 0, 0}, {2.2, 0, 0}, {0, 2.2, 0}};
+  scene.background = {1, 1, 1};
+  scene.materials = {{.ambient = {},
+                      .diffuse = {},
+                      .refraction = 1,
+                      .dispersion = {Dispersion::Kind::abbe, {25, 0, 0, 0, 0, 0}}}};
+  scene.materials[0].ior = 1.7;
+  scene.spheres.push_back({Sphere{{0, 0, 0}, 1}, 0});
+  RenderOptions options;
+  options.max_depth = 2;
+  options.terms.reflection = false;
+  const Image image = rendered(scene, options);
+  for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+    EXPECT_NEAR(image.pixels[i], image.pixels[i + 1], 0.001);
+    EXPECT_NEAR(image.pixels[i], image.pixels[i + 2], 0.001);
+  }
+}
+
+/// Everything at once: the same bits from any number of threads, tile and instruction set.
+TEST(GeneralEngine, HasTheSameBitsEverywhere) {
+  Scene scene = mixed_scene(20);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    Material& m = scene.materials[i];
+    m.fresnel = static_cast<Fresnel>(i % 3);
+    m.highlight = static_cast<Highlight>(i % 2);
+    m.absorption = {0.1 * static_cast<double>(i % 4), 0.2, 0};
+    m.priority = static_cast<int>(i % 3);
+    if (i % 4 == 1) m.dispersion = {Dispersion::Kind::abbe, {30, 0, 0, 0, 0, 0}};
+    m.ior = 1.2 + 0.1 * static_cast<double>(i % 5);
+    m.refraction = Color{0.5, 0.6, 0.7};
+  }
+  scene.lights.push_back({.position = {1, 3, 2}, .kind = LightKind::disc, .radius = 0.5, .samples = 4});
+  scene.lights.push_back({.position = {-1, 3, 2}, .kind = LightKind::sphere, .radius = 0.3, .samples = 3});
+  scene.lights.push_back({.position = {-1, 2, 3}, .kind = LightKind::spot, .attenuation = {1, 0.1, 0},
+                          .direction = {1, -1, -3}});
+  scene.ambient_occlusion = {.samples = 8};
+  scene.sky = {.kind = Sky::Kind::gradient, .bottom = {0.2, 0.1, 0}, .top = {0.3, 0.5, 1}};
+  RenderOptions options{.max_depth = 3, .shadows = Shadows::transparent, .wavelengths = 3};
+  options.min_contribution = 0.001;
+  options.sampling.count = 2;
+  options.sampling.filter = PixelFilter::mitchell;
+  options.threads = 1;
+  options.isa = Isa::portable;
+  const std::string wanted = sha256(rendered(scene, options));
+  for (const Isa isa : available_isas())
+    for (const int threads : {1, 3})
+      for (const int tile : {5, 64}) {
+        options.isa = isa, options.threads = threads, options.tile = tile;
+        EXPECT_EQ(sha256(rendered(scene, options)), wanted) << name_of(isa) << threads << tile;
+      }
 }
 
 TEST(Contributions, BelowTheThresholdAreBoundedByWhatWasCut) {

@@ -129,7 +129,7 @@ bool hold_all_hits(const Scene& scene, const Sampling& sampling, int& left) {
     workspace.levels[0].ray_count = width * height;
     RayCounts counts;
     kernel_of(*choose_isa(std::nullopt))
-        .trace_rays(frozen, settings_of(options, prepared.frame), workspace, counts);
+        .trace_rays(frozen, settings_of(options, prepared), workspace, counts);
     for (std::int32_t y = 0, i = 0; y < height; ++y)
       for (std::int32_t x = 0; x < width; ++x, ++i) {
         const bool inside =

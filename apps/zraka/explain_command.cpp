@@ -28,6 +28,7 @@ struct Arguments : RenderArguments {
   std::string language = "en";
   std::string stage = "refraction", mistake;
   std::string rays;  // a file for the segments
+  std::string sample = "1";
 };
 
 /// A column or a row: a whole number. What is too large for any picture is the largest that fits.
@@ -86,7 +87,8 @@ int run(const Arguments& arguments) {
   Result<Explainer> explainer = mistaken_explainer(*scene, options, mistake_of(arguments.mistake));
   if (!explainer) return fail(explainer.error());
   const Result<Explanation> explanation =
-      explainer->pixel(*coordinate(arguments.x), *coordinate(arguments.y));
+      explainer->pixel(*coordinate(arguments.x), *coordinate(arguments.y),
+                       *coordinate(arguments.sample) - 1);
   if (!explanation) return fail(explanation.error());
   const Result<std::string> text = text_for(arguments, *scene, options, *explainer, *explanation);
   if (!text) return fail(text.error());
@@ -115,6 +117,9 @@ void add_explain(Command& program) {
   app.add("Y", &arguments->y, "row of the pixel, from 0 at the top")
       .required()
       .check(kWhole, is_whole);
+  app.add("--sample", &arguments->sample, "which of the pixel's samples, from 1 (the default)")
+      .check("a whole number, 1 or more",
+             [](const std::string& word) { return coordinate(word).value_or(0) > 0; });
   app.add("-o,--output", &arguments->output, "the file to write; - (default) is standard output");
   add_format_to(app, arguments->format);
   add_language_to(app, arguments->language);

@@ -72,6 +72,7 @@ struct SnellTerms {
   std::optional<float> a{};  ///< √(D/4) - b·cos α, if the refracted ray exists
   double n1 = 0, n2 = 0;     ///< what b is the quotient of; 0: only b is known
   std::optional<double> fresnel{};  ///< the share that the angle moves to reflection
+  std::optional<double> nm{};       ///< of which wavelength these are, where that matters
 };
 
 /// Why a hit has no reflected or no refracted ray.
@@ -95,6 +96,9 @@ struct Child {
   /// What a ray that the depth cuts off would bring, followed two levels further; only where its
   /// weight is notable.
   std::optional<Float3> beyond{};
+  /// Of a ray that is not traced for its contribution: what it could have brought the pixel at
+  /// most; of wavelengths that are not, all of them together.
+  std::optional<double> bound{};
 };
 
 /// A refracted ray of one part of the spectrum.
@@ -142,8 +146,10 @@ struct ExplainedHit {
   Float3 local{};  ///< ambient and all lights' terms
   std::optional<SnellTerms> snell;
   Child reflected, refracted;
-  std::vector<SplitChild> split{};  ///< in the place of `refracted`, where a body is dispersive
-  Float3 sum{};  ///< local + k1·Crefl + k2·Crefr, before it is clamped
+  /// In the place of `refracted`, where a body is dispersive; then that says whether wavelengths
+  /// were left out for their contribution.
+  std::vector<SplitChild> split{};
+  Float3 sum{};  ///< local + k1·Crefl + k2·Crefr, before it is clamped, then times `medium`'s
 };
 
 enum class RayKind { camera, reflected, refracted };
@@ -158,7 +164,7 @@ struct ExplainedRay {
   std::vector<NamedBody> inside{};  ///< where bodies absorb or have priorities
   Vec3 origin{};
   Float3 direction{};                 ///< unit length
-  std::optional<ExplainedHit> hit{};  ///< none: the ray brings the background's colour
+  std::optional<ExplainedHit> hit{};  ///< none: the ray brings the sky's colour
   Float3 color{};                     ///< what it brings back
 };
 
@@ -191,6 +197,7 @@ struct Explanation {
   std::optional<VariedRules> varied{};
   Float3 ambient_light{};  ///< Ia
   Float3 background{};
+  Sky::Kind sky = Sky::Kind::flat;  ///< what rays see that hit nothing; flat: the background
   std::vector<ExplainedLight> lights{};
   /// Whether there is more than the lab's optics; then what rays of less than this contribution
   /// were cut off, of which none brings more than `brightest`; into how many dispersion splits.
@@ -223,9 +230,9 @@ class Explainer {
   Explainer& operator=(Explainer&&) noexcept;
   ~Explainer();
 
-  /// Column x, row y from the picture's upper left corner. Fails outside of the picture, and where
-  /// a tree has more rays or terms than kMaxExplainedRays and kMaxExplainedTerms. Of a picture with
-  /// several samples a pixel it is the tree of one of them.
+  /// Column x, row y from the picture's upper left corner; of several samples, this one, counted
+  /// from 0. Fails outside of the picture, of the samples, and where a tree has more rays or terms
+  /// than kMaxExplainedRays and kMaxExplainedTerms.
   Result<Explanation> pixel(std::uint32_t x, std::uint32_t y, std::uint32_t sample = 0);
 
   /// A square of at most side×side pixels, 1 ≤ side < kMaxTile, around a pixel of the picture, in

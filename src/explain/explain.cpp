@@ -51,6 +51,13 @@ void look_beyond(const Stand& stand, std::uint32_t x, std::uint32_t y, std::uint
   }
 }
 
+/// The most samples that a pixel has.
+std::uint32_t samples_of(const Sampling& sampling) {
+  const auto count = static_cast<std::uint32_t>(
+      sampling.kind == Sampling::Kind::adaptive ? sampling.most : sampling.count);
+  return sampling.kind == Sampling::Kind::grid ? count * count : count;
+}
+
 /// All of a pixel: one tree, or those of its four corners and their mean; or one sample.
 Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_t y,
                                std::uint32_t sample) {
@@ -61,11 +68,14 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
                           .profile = stand.options.profile,
                           .max_depth = stand.options.max_depth,
                           .ambient_light = float3(stand.frozen().ambient_light),
-                          .background = float3(stand.frozen().background)};
+                          .background = float3(stand.frozen().background),
+                          .sky = stand.scene.sky.kind};
   for (std::size_t i = 0; i < stand.scene.lights.size(); ++i)
     explanation.lights.push_back(
         {stand.scene.lights[i].position, float3(stand.frozen().lights[i].color),
          stand.scene.lights[i]});
+  explanation.sample = sample;
+  explanation.samples = samples_of(stand.options.sampling);
   explanation.general = stand.frozen().optics != nullptr;
   explanation.min_contribution = stand.settings.min_contribution;
   explanation.brightest = stand.settings.brightest;
@@ -93,14 +103,6 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
     std::copy_n(pixel.pixels.begin(), 3, explanation.color.begin());
   }
   return explanation;
-}
-
-/// How many samples a pixel may have.
-std::uint32_t most_samples(const Sampling& sampling) {
-  const auto count = static_cast<std::uint32_t>(sampling.count);
-  return sampling.kind == Sampling::Kind::grid       ? count * count
-         : sampling.kind == Sampling::Kind::adaptive ? static_cast<std::uint32_t>(sampling.most)
-                                                     : count;
 }
 
 Stand stand_for(const Scene& scene, RenderOptions options, Isa isa, const Variation& variation) {
@@ -138,6 +140,7 @@ Result<Explainer> varied_explainer(const Scene& scene, const RenderOptions& opti
                                    const Variation& variation) {
   const Result<Isa> isa = isa_to_listen_to(scene, options);
   if (!isa) return tl::make_unexpected(isa.error());
+  if (variation.kernel != nullptr && needs_general_engine(scene, options)) return beyond_the_lab();
   RenderOptions asked = options;
   if (variation.kernel != nullptr) {
     asked.sampling = {};
@@ -161,8 +164,9 @@ Result<Explanation> Explainer::pixel(std::uint32_t x, std::uint32_t y, std::uint
                    fmt::format("columns go from 0 to {} from the left, rows from 0 to {} from the "
                                "top",
                                size.width - 1, size.height - 1));
-  if (const std::uint32_t samples = most_samples(impl_->stand.options.sampling); sample >= samples)
-    return failure("", fmt::format("sample {} is out of range: 0 to {}", sample, samples - 1));
+  if (const std::uint32_t all = samples_of(impl_->stand.options.sampling); sample >= all)
+    return failure("", all == 1 ? std::string("a pixel of this picture has one sample")
+                                : fmt::format("a pixel of this picture has {} samples at most", all));
   try {
     return read_pixel(impl_->stand, x, y, sample);
   } catch (const std::bad_alloc&) {

@@ -71,9 +71,13 @@ class GeneralReader final : public general::Listener<float> {
   }
   ExplainedHit surface(const Level<float>& level, const Scratch<float>& s,
                        const general::HitState<float>& state, std::size_t h);
+  void read_snell(ExplainedHit& at, const general::HitState<float>& state,
+                  const general::RayState<float>& ray);
   void read_children(ExplainedHit& at, const general::HitState<float>& state,
                      const general::RayState<float>* children, std::size_t parent,
                      std::size_t first_of_next);
+  void read_cuts(ExplainedHit& at, const general::HitState<float>& state,
+                 const general::RayState<float>& ray);
 
   const Stand& stand_;
   const TraceSettings& settings_;
@@ -128,7 +132,10 @@ ExplainedHit GeneralReader::surface(const Level<float>& level, const Scratch<flo
     if (share == 0) return Absence::share;
     return in_stage && !settings_.terms.silhouette ? Absence::depth : Absence::stage;
   };
-  hit.reflected.absence = absence(hit.k1, settings_.terms.reflection);
+  // By Fresnel, what refracts reflects as well.
+  hit.reflected.absence =
+      absence(hit.k1 == 0 && material.fresnel != Fresnel::off ? hit.k2 : hit.k1,
+              settings_.terms.reflection);
   hit.refracted.absence = absence(hit.k2, settings_.terms.refraction);
   hit_reader_.read(level, s, h, ray, hit);
   if (state.medium >= 0 && stand_.frozen().optics->materials[state.medium].absorbs()) {
@@ -220,38 +227,66 @@ void GeneralReader::at_light(std::int32_t /*light*/, const Level<float>& level,
       if (at.reach == Reach::blocked) at.blocker = {last.shape, last.distance, last.path};
       if (settings_.transparent_shadows) at.filter = float3(sum.filter);
     }
-    if (sum.lit > 0) {
-      if (stage.diffuse) at.diffuse = float3(sum.diffuse);
-      const bool shines = hit(level, h).ks != Float3{};
-      if (stage.specular && shines) {
-        at.r_v = static_cast<float>(sum.cosine);
-        at.highlight = static_cast<float>(sum.highlight);
-        if (float3(sum.specular) != Float3{}) at.specular = float3(sum.specular);
-      }
+    const bool shines = stage.specular && hit(level, h).ks != Float3{};
+    if (sum.lit > 0 && stage.diffuse) at.diffuse = float3(sum.diffuse);
+    if (sum.lit > 0 && shines) {
+      const bool first = float3(sum.filter) != Float3{} && !darkened;
+      if (first) at.r_v = static_cast<float>(sum.cosine);
+      if (first && sum.cosine >= 0) at.highlight = static_cast<float>(sum.highlight);
+      if (at.highlight || float3(sum.specular) != Float3{}) at.specular = float3(sum.specular);
     }
     hit(level, h).lights.push_back(std::move(at));
   }
   passed_.clear();
 }
 
+void GeneralReader::read_snell(ExplainedHit& at, const general::HitState<float>& state,
+                               const general::RayState<float>& ray) {
+  at.snell = {.cosine = static_cast<float>(state.cosine),
+              .ratio = static_cast<float>(state.ratio),
+              .quarter_d = static_cast<float>(state.quarter_d),
+              .total = state.total,
+              .n1 = state.n1,
+              .n2 = state.n2};
+  const OpticalMaterial& material = stand_.frozen().optics->materials[state.material];
+  if (material.fresnel != Fresnel::off) at.snell->fresnel = state.total ? 1 : state.fresnel;
+  const Wavelengths& waves = settings_.wavelengths;
+  if (state.split)
+    at.snell->nm = waves.um[waves.count / 2] * 1000;
+  else if (ray.wavelength >= 0)
+    at.snell->nm = waves.um[ray.wavelength] * 1000;
+  if (!state.total)
+    at.snell->a = static_cast<float>(std::sqrt(state.quarter_d) - state.ratio * state.cosine);
+}
+
+/// Why hits that have been asked for their children do not have them.
+void GeneralReader::read_cuts(ExplainedHit& at, const general::HitState<float>& state,
+                              const general::RayState<float>& ray) {
+  if (state.refracts && state.total && !state.split) at.refracted.absence = Absence::total;
+  const auto settle = [&](Child& child, bool cut, const std::array<double, 3>& missing) {
+    if (child.ray < 0 && child.absence == Absence::depth) child.absence = Absence::share;
+    if (!cut) return;
+    child.absence = Absence::contribution;
+    const Float3 weight = float3(ray.weight * state.transmittance);
+    child.bound = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+      child.bound = std::max(*child.bound, std::fabs(static_cast<double>(weight[c])) * missing[c]);
+  };
+  const Float3 all = float3(state.missing), shares = float3(state.reflection);
+  std::array<double, 3> of_reflected{}, of_refracted{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (state.reflected_cut)
+      of_reflected[c] = std::fabs(static_cast<double>(shares[c])) * settings_.brightest;
+    of_refracted[c] = std::max(static_cast<double>(all[c]) - of_reflected[c], 0.0);
+  }
+  settle(at.reflected, state.reflected_cut, of_reflected);
+  settle(at.refracted, state.refracted_cut, of_refracted);
+  if (!at.split.empty() && !state.refracted_cut) at.refracted.absence = Absence::none;
+}
+
 void GeneralReader::read_children(ExplainedHit& at, const general::HitState<float>& state,
                                   const general::RayState<float>* children, std::size_t parent,
                                   std::size_t first_of_next) {
-  if (state.refracts) {
-    at.snell = {.cosine = static_cast<float>(state.cosine),
-                .ratio = static_cast<float>(state.ratio),
-                .quarter_d = static_cast<float>(state.quarter_d),
-                .total = state.total,
-                .n1 = state.n1,
-                .n2 = state.n2};
-    if (stand_.frozen().optics->materials[state.material].fresnel != Fresnel::off)
-      at.snell->fresnel = state.total ? 1 : state.fresnel;
-    if (state.total && !state.split) at.refracted.absence = Absence::total;
-    if (!state.total)
-      at.snell->a = static_cast<float>(std::sqrt(state.quarter_d) - state.ratio * state.cosine);
-  }
-  if (state.reflected_cut) at.reflected.absence = Absence::contribution;
-  if (state.refracted_cut) at.refracted.absence = Absence::contribution;
   for (std::int32_t c = state.first_child; c < state.first_child + state.child_count; ++c) {
     const general::RayState<float>& ray = children[c];
     const Float3 shares = float3(ray.share);
@@ -268,7 +303,6 @@ void GeneralReader::read_children(ExplainedHit& at, const general::HitState<floa
     else
       at.refracted = child;
   }
-  if (!at.split.empty()) at.refracted.absence = Absence::none;
 }
 
 void GeneralReader::at_children(const Level<float>& level, const Level<float>& next,
@@ -282,9 +316,16 @@ void GeneralReader::at_children(const Level<float>& level, const Level<float>& n
   }
   if (stop) return;
   awaited_.resize(more);
-  for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h)
-    read_children(hit(level, h), workspace.hits[depth][h], workspace.rays[depth + 1].data(),
-                  ray_of_hit(level, h), first_of_next);
+  for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
+    ExplainedHit& at = hit(level, h);
+    const general::HitState<float>& state = workspace.hits[depth][h];
+    const general::RayState<float>& ray =
+        workspace.rays[depth][static_cast<std::size_t>(level.hits.ray[h])];
+    if (state.refracts) read_snell(at, state, ray);
+    read_children(at, state, workspace.rays[depth + 1].data(), ray_of_hit(level, h),
+                  first_of_next);
+    read_cuts(at, state, ray);
+  }
 }
 
 void GeneralReader::at_fold(const Level<float>& level,

@@ -9,11 +9,10 @@
 #include <zraka/influence.hpp>
 
 #include "engine/tile_order.hpp"
-#include "explain/recording.hpp"
+#include "explain/general_recording.hpp"
 #include "explain/shape_lookup.hpp"
 #include "explain/tile_listeners.hpp"
 #include "render/variation.hpp"
-#include "render/workspace.hpp"
 
 namespace zraka {
 namespace {
@@ -116,21 +115,19 @@ class Wanted {
 /// One thread's listener and what it has noted.
 class WayReader {
  public:
-  WayReader(const FrozenScene<float>& scene, const Wanted& wanted, bool corners, std::int32_t batch,
-            int max_depth)
+  WayReader(const FrozenScene<float>& scene, const TraceSettings& settings, const Wanted& wanted,
+            bool corners, std::int32_t batch)
       : scene_(scene),
         wanted_(wanted),
         corners_(corners),
-        workspace_(batch, max_depth, true),
-        terms_(batch, *this, wanted.in_group()),
-        pixels_(static_cast<std::size_t>(max_depth) + 1),
-        ways_of_rays_(pixels_.size()),
-        ignored_(3 * static_cast<std::size_t>(batch)) {}
+        recorder_(scene, settings, batch, *this, wanted.in_group()),
+        pixels_(static_cast<std::size_t>(settings.max_depth) + 1),
+        ways_of_rays_(pixels_.size()) {}
   WayReader(const WayReader&) = delete;
   WayReader& operator=(const WayReader&) = delete;
 
   /// Traces a tile of pixels and sets their bits.
-  void read(const TraceSettings& settings, const TileRect& tile, Influence& influence);
+  void read(const TileRect& tile, Influence& influence);
 
   /// Pixels that are reached by each way, by its path and whether it is a shadow's.
   using Key = std::tuple<std::vector<RayKind>, bool, bool>;
@@ -147,7 +144,7 @@ class WayReader {
 
  private:
   std::size_t depth_of(const Level<float>& level) {
-    return static_cast<std::size_t>(&level - workspace_.workspace().levels);
+    return static_cast<std::size_t>(&level - recorder_.workspace().levels);
   }
   void note(std::size_t depth, std::size_t ray, bool shadow);
   void leave_each_once() {
@@ -158,12 +155,10 @@ class WayReader {
   const FrozenScene<float>& scene_;
   const Wanted& wanted_;
   bool corners_;
-  WorkspaceMemory<float> workspace_;
-  RecordedTerms terms_;
+  TileRecorder recorder_;
   Ways ways_;
   /// By level and ray: which ray of the tile it comes from, and by which way.
   std::vector<std::vector<std::uint32_t>> pixels_, ways_of_rays_;
-  std::vector<float> ignored_;
   TileRect tile_{};                   ///< of pixels
   std::vector<TileRect> ray_places_;  ///< the pixels, in the tile, that a ray of level 0 belongs to
   std::vector<std::pair<std::uint32_t, std::uint32_t>> notes_;  ///< (2·way + shadow, pixel in tile)
@@ -191,11 +186,17 @@ void WayReader::at_hits(const Level<float>& level, const Scratch<float>& s) {
 void WayReader::at_light(std::int32_t, std::size_t shadow_rays, const Level<float>& level,
                          const Scratch<float>& s) {
   const auto begin = static_cast<std::size_t>(level.done);
+  const RecordedTerms& terms = recorder_.terms();
+  const GeneralRecorder* const general = recorder_.general();
   for (std::size_t i = 0; i < shadow_rays; ++i) {
     const auto h = static_cast<std::size_t>(s.shadow_ray_hit[i]);
-    if (s.lit[h] > 0 || !wanted_.is_on_way(terms_.blocker(i, s), terms_.blocker_path(i, scene_)))
-      continue;
-    note(depth_of(level), begin + static_cast<std::size_t>(level.hits.ray[h]), true);
+    bool shades = s.lit[h] <= 0 &&
+                  wanted_.is_on_way(terms.blocker(i, s), terms.blocker_path(i, scene_));
+    // What takes a part of the light has a part in the shadow, too.
+    if (general != nullptr)
+      for (const GeneralRecorder::Body& body : general->passed(h))
+        shades = shades || wanted_.is_on_way(body.slot, &body.path);
+    if (shades) note(depth_of(level), begin + static_cast<std::size_t>(level.hits.ray[h]), true);
   }
 }
 
@@ -204,20 +205,19 @@ void WayReader::at_children(const Level<float>& level, const Level<float>& next)
   const auto begin = static_cast<std::size_t>(level.done);
   pixels_[depth + 1].resize(static_cast<std::size_t>(next.ray_count));
   ways_of_rays_[depth + 1].resize(static_cast<std::size_t>(next.ray_count));
-  const auto take = [&](std::size_t h, std::int32_t index, RayKind kind) {
-    if (index < 0) return;
-    const std::size_t parent = begin + static_cast<std::size_t>(level.hits.ray[h]);
-    const auto child = static_cast<std::size_t>(index);
-    pixels_[depth + 1][child] = pixels_[depth][parent];
-    ways_of_rays_[depth + 1][child] = ways_.next(ways_of_rays_[depth][parent], kind);
-  };
   for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
-    take(h, level.hits.reflected[h], RayKind::reflected);
-    take(h, level.hits.refracted[h], RayKind::refracted);
+    const std::size_t parent = begin + static_cast<std::size_t>(level.hits.ray[h]);
+    recorder_.each_child(level, h, [&](std::int32_t index, bool refracted) {
+      const auto child = static_cast<std::size_t>(index);
+      pixels_[depth + 1][child] = pixels_[depth][parent];
+      ways_of_rays_[depth + 1][child] =
+          ways_.next(ways_of_rays_[depth][parent],
+                     refracted ? RayKind::refracted : RayKind::reflected);
+    });
   }
 }
 
-void WayReader::read(const TraceSettings& settings, const TileRect& tile, Influence& influence) {
+void WayReader::read(const TileRect& tile, Influence& influence) {
   tile_ = tile;
   const std::int32_t more = corners_ ? 1 : 0;
   const TileRect rays{tile.x, tile.y, tile.width + more, tile.height + more};
@@ -232,9 +232,7 @@ void WayReader::read(const TraceSettings& settings, const TileRect& tile, Influe
   for (std::size_t i = 0; i < pixels_[0].size(); ++i) pixels_[0][i] = static_cast<std::uint32_t>(i);
   ways_of_rays_[0].assign(ray_places_.size(), Ways::kRoot);
 
-  RayCounts counts;
-  record_tile()(scene_, settings, rays, workspace_.workspace(), counts, ignored_.data(),
-                static_cast<std::size_t>(rays.width), terms_.recording());
+  recorder_.trace(rays);
   leave_each_once();
   for (const auto& [way, pixel] : notes_) {
     ++counts_[way];
@@ -274,9 +272,9 @@ Result<Influence> influence(const Scene& scene, const RenderOptions& options,
     const auto readers = listen_to_tiles<WayReader>(
         scene.resolution, options,
         [&](std::int32_t batch) {
-          return std::make_unique<WayReader>(frozen, wanted, corners, batch, settings.max_depth);
+          return std::make_unique<WayReader>(frozen, settings, wanted, corners, batch);
         },
-        [&](WayReader& reader, const TileRect& rect) { reader.read(settings, rect, found); });
+        [&](WayReader& reader, const TileRect& rect) { reader.read(rect, found); });
     if (!readers) return failure("", "the search was cancelled");
 
     std::map<WayReader::Key, std::uint64_t> counts;

@@ -31,6 +31,8 @@ void Page::head() {
     facts += fmt::format(" · {}", say(kProfiles[static_cast<int>(*options_.profile)]));
   if (const std::optional<Stage> stage = stage_of(e_.terms))
     facts += fmt::format(" · {}", html_text(text_of(options_.language, *stage)));
+  if (e_.samples > 1)
+    facts += fmt::format(" · {}", say(Word::sample_of, e_.sample + 1, e_.samples));
   put("<header>\n<p class=\"file\">{}</p>\n<h1>{}</h1>\n<p class=\"facts\">{} · {}</p>\n",
       html_text(options_.scene), title, facts, say(Word::depth_is, e_.max_depth));
   if (e_.varied)
@@ -39,7 +41,7 @@ void Page::head() {
   const auto byte = [&](std::size_t c) { return quantize(e_.color[c], e_.profile.transfer, 8); };
   put("<div class=\"answer\">{}<div><p class=\"sentence\">{}</p>\n"
       "<p class=\"numbers\">{}: {}; {} ({}, {}, {})</p></div></div>\n</header>\n",
-      swatch(e_.color), html_text(in_words(options_.language, e_)), say(Word::color_of_pixel),
+      swatch(e_.color), html_text(in_words(options_.language, e_)), say(color_of_what(e_)),
       short_vector(e_.color), say(Word::color_in_file), byte(0), byte(1), byte(2));
 }
 
@@ -81,9 +83,11 @@ void Page::space() {
   button("closer", Word::page_closer);
   button("farther", Word::page_farther);
   put("</div>\n<p class=\"hint\">{}</p>\n<ul class=\"legend\">", say(Word::page_space_hint));
-  constexpr Word kKinds[] = {Word::ray_camera, Word::ray_reflected, Word::ray_refracted,
-                             Word::page_shadow_ray_lit, Word::page_shadow_ray_blocked};
-  for (std::size_t i = 0; i < std::size(kKinds); ++i)
+  constexpr Word kKinds[] = {Word::ray_camera,          Word::ray_reflected,
+                             Word::ray_refracted,       Word::page_shadow_ray_lit,
+                             Word::page_shadow_ray_blocked, Word::page_shadow_ray_dimmed};
+  const std::size_t kinds = std::size(kKinds) - (e_.transparent_shadows ? 0 : 1);
+  for (std::size_t i = 0; i < kinds; ++i)
     put("<li><label><input type=\"checkbox\" checked data-kind=\"{0}\"><i class=\"kind{0}\"></i>"
         "{1}</label></li>",
         i, say(kKinds[i]));

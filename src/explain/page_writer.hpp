@@ -9,6 +9,7 @@
 #include "core/text.hpp"
 #include "explain/math_ml.hpp"
 #include "explain/names.hpp"
+#include "explain/optics_words.hpp"
 #include "explain/page.hpp"
 
 namespace zraka {
@@ -75,7 +76,19 @@ class Page {
   void textures(const ExplainedHit& hit);
   void light(const ExplainedHit& hit, std::size_t i);
   void snell(std::size_t t, const ExplainedHit& hit);
-  void child(std::size_t t, const Child& child, bool reflected, const ExplainedHit& hit);
+  /// `nm` is not 0 for a part of the spectrum.
+  void child(std::size_t t, const Child& child, bool reflected, const ExplainedHit& hit, double nm);
+  /// One number where all channels have the same.
+  std::string share(const Child& child) const {
+    return is_grey(child.shares) ? number(child.share) : column(child.shares);
+  }
+  /// Paragraphs.
+  std::string lines_of(const std::vector<std::string>& lines, const char* kind) const {
+    std::string text;
+    for (const std::string& line : lines)
+      text += fmt::format("<p class=\"{}\">{}</p>", kind, html_text(line));
+    return text;
+  }
   void sum(std::size_t t, const ExplainedRay& ray);
 
   const Scene& scene_;

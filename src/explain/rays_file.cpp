@@ -21,7 +21,8 @@ constexpr float kColors[kSegmentKinds][3] = {{0.9f, 0.9f, 0.9f},
                                              {0.1f, 0.6f, 0.9f},
                                              {0.8f, 0.2f, 0.8f},
                                              {0.9f, 0.7f, 0.1f},
-                                             {0.8f, 0.1f, 0.1f}};
+                                             {0.8f, 0.1f, 0.1f},
+                                             {0.6f, 0.5f, 0.3f}};
 
 void put_little_endian(float value, std::string& bytes) {
   const auto bits = std::bit_cast<std::uint32_t>(value);

@@ -50,10 +50,21 @@ std::vector<Segment> segments_of(const Scene& scene, const Explanation& explanat
       for (std::size_t l = 0; l < ray.hit->lights.size(); ++l) {
         const LightTerms& at = ray.hit->lights[l];
         if (at.reach != Reach::lit && at.reach != Reach::blocked) continue;
+        const bool blocked = at.reach == Reach::blocked;
         const double whole = at.blocker ? at.blocker->distance : at.distance;
         const double length = std::min(whole, 8 * span);
-        segments.push_back({at.blocker ? SegmentKind::shadow_ray_blocked : SegmentKind::shadow_ray_lit, end,
-                            along(end, at.to_light, length), length < whole, t, r, l});
+        SegmentKind kind =
+            blocked ? SegmentKind::shadow_ray_blocked : SegmentKind::shadow_ray_lit;
+        Vec3 from = end;
+        for (const PassedBody& body : at.passed) {
+          if (blocked || !at.filter || body.distance >= length) break;
+          const Vec3 there = along(end, at.to_light, body.distance);
+          segments.push_back({kind, from, there, false, t, r, l});
+          from = there;
+          kind = SegmentKind::shadow_ray_dimmed;
+        }
+        segments.push_back(
+            {kind, from, along(end, at.to_light, length), length < whole, t, r, l});
       }
     }
   return segments;

@@ -9,9 +9,17 @@
 
 namespace zraka {
 
-enum class SegmentKind { camera, reflected, refracted, shadow_ray_lit, shadow_ray_blocked };
-inline constexpr std::array<std::string_view, 5> kSegmentNames = {
-    "camera", "reflected", "refracted", "shadow-ray-lit", "shadow-ray-blocked"};
+enum class SegmentKind {
+  camera,
+  reflected,
+  refracted,
+  shadow_ray_lit,
+  shadow_ray_blocked,
+  shadow_ray_dimmed  ///< one that reaches the light, behind a transparent body
+};
+inline constexpr std::array<std::string_view, 6> kSegmentNames = {
+    "camera",         "reflected",          "refracted",
+    "shadow-ray-lit", "shadow-ray-blocked", "shadow-ray-dimmed"};
 
 struct Segment {
   SegmentKind kind = SegmentKind::camera;
@@ -21,7 +29,8 @@ struct Segment {
   std::size_t light = 0;  ///< of a shadow ray
 };
 
-/// Rays up to what they hit; shadow rays up to their light or to what blocks them. What hits
+/// Rays up to what they hit; shadow rays up to their light or to what blocks them, in parts where
+/// they pass transparent bodies. What hits
 /// nothing is as long as half of what the tree spans, and shadow rays to lights from far away end
 /// after eight times that span.
 std::vector<Segment> segments_of(const Scene& scene, const Explanation& explanation);

@@ -6,6 +6,7 @@
 
 #include "core/counted.hpp"
 #include "explain/names.hpp"
+#include "explain/optics_words.hpp"
 #include "explain/parts.hpp"
 
 namespace zraka {
@@ -100,6 +101,7 @@ class Speaker {
   std::string of_child() const;
   std::string rest() const;
   std::string toned(const std::string& clause, bool is_reason) const;
+  std::string on_the_way() const;
   std::string notes() const;
 
   Language lang_;
@@ -124,11 +126,17 @@ std::string Speaker::why_unlit(const ExplainedHit& hit, bool after_because) cons
   std::string reasons;
   for (std::size_t i = 0; i < hit.lights.size(); ++i) {
     const LightTerms& at = hit.lights[i];
-    const std::string reason =
-        at.blocker ? say(Word::say_blocked, light_number(i),
-                         label(*at.blocker, Case::accusative), shorter(at.blocker->distance))
-                   : say(i == 0 && after_because ? Word::say_behind_because : Word::say_behind,
-                         light_number(i));
+    const bool turned = i == 0 && after_because;
+    std::string reason;
+    if (at.reach == Reach::dark)
+      reason = say(turned ? Word::say_dark_because : Word::say_dark, light_number(i));
+    else if (at.reach == Reach::blocked && (at.samples > 1 || !at.blocker))
+      reason = say(Word::say_none_reaches, light_number(i));
+    else if (at.blocker)
+      reason = say(Word::say_blocked, light_number(i), label(*at.blocker, Case::accusative),
+                   shorter(at.blocker->distance));
+    else
+      reason = say(turned ? Word::say_behind_because : Word::say_behind, light_number(i));
     reasons = reasons.empty() ? reason : say(Word::say_and, reasons, reason);
   }
   return reasons;
@@ -144,9 +152,11 @@ std::string Speaker::by_the_way() const {
   for (std::size_t i = 0; i < way.size() && i < kNamed; ++i) {
     const ExplainedRay& step = ray(way[i]);
     const ExplainedHit& hit = *ray(static_cast<std::size_t>(step.parent)).hit;
-    const std::string name =
+    std::string name =
         say(step.kind == RayKind::reflected ? Word::say_by_reflected : Word::say_by_refracted,
             label(hit, Case::genitive));
+    if (step.nm && step.kind == RayKind::refracted && !hit.split.empty())
+      name += fmt::format(" ({:.0f} nm)", *step.nm);
     text = i == 0 ? name : say(Word::say_then, text, name);
   }
   return way.size() <= kNamed ? text : say(Word::say_by_many, text, way.size() - kNamed);
@@ -228,9 +238,34 @@ std::string Speaker::toned(const std::string& clause, bool is_reason) const {
   return say(is_reason && most < kDark ? Word::tone_because : Word::tone_colon, tone, clause);
 }
 
+/// What main's light comes through, before the hit and after it.
+std::string Speaker::on_the_way() const {
+  std::string text;
+  if (!(s_.all > 0)) return text;
+  if (s_.main.source == Source::diffuse || s_.main.source == Source::specular) {
+    const LightTerms& at = main_ray().hit->lights[s_.main.light];
+    if (at.reaching > 0 && at.reaching < at.samples && at.reach == Reach::lit)
+      text += " " + say(Word::say_partly, at.reaching, at.samples, light_number(s_.main.light));
+    if (is_filtered(at) && *at.filter != Float3{}) {
+      const PassedBody& first = at.passed.front();
+      text += " " + say(Word::say_through, light_number(s_.main.light),
+                        label(Blocker{first.shape, first.distance, first.path}, Case::accusative));
+    }
+  }
+  std::array<double, 3> left{1, 1, 1};
+  for (auto r = static_cast<int>(s_.main.ray); r >= 0; r = ray(static_cast<std::size_t>(r)).parent)
+    if (const auto& hit = ray(static_cast<std::size_t>(r)).hit; hit && hit->medium)
+      for (std::size_t c = 0; c < 3; ++c)
+        left[c] *= static_cast<double>(hit->medium->transmittance[c]);
+  const double most = *std::max_element(left.begin(), left.end());
+  const double least = *std::min_element(left.begin(), left.end());
+  if (least < 1 - kNotableWeight) text += " " + say(Word::say_absorbed, percent(most));
+  return text;
+}
+
 /// What the parts cannot show: clamped sums, and children that would have counted.
 std::string Speaker::notes() const {
-  std::string text;
+  std::string text = on_the_way();
   const ExplainedRay& root = ray(0);
   if (e_.profile.clamp_levels && root.hit) {
     const float most = std::max({root.hit->sum[0], root.hit->sum[1], root.hit->sum[2]});
@@ -251,7 +286,7 @@ std::string Speaker::notes() const {
       if (child.absence == why && loses && weight >= most.weight)
         most = {weight, &*r.hit, word, share};
     };
-    if (after_total_reflection(e_) == Word::total_black)
+    if (after_total_reflection(e_, *r.hit) == Word::total_black)
       look(r.hit->refracted, r.hit->k2, Absence::total, Word::say_total_black, black);
     look(r.hit->reflected, r.hit->k1, Absence::depth, Word::say_cut_reflected, cut);
     look(r.hit->refracted, r.hit->k2, Absence::depth, Word::say_cut_refracted, cut);

@@ -5,6 +5,7 @@
 
 #include "core/json.hpp"
 #include "explain/names.hpp"
+#include "explain/optics_words.hpp"
 #include "explain/segments.hpp"
 #include "scene/bounds_of.hpp"
 
@@ -46,8 +47,12 @@ std::map<ShapeId, std::string> hit_shapes(const Explanation& explanation) {
     for (const ExplainedRay& ray : tree.rays) {
       if (!ray.hit) continue;
       hit_shapes_by_id.emplace(ray.hit->shape.id, ray.hit->shape.name);
-      for (const LightTerms& at : ray.hit->lights)
+      for (const LightTerms& at : ray.hit->lights) {
         if (at.blocker) hit_shapes_by_id.emplace(at.blocker->shape.id, at.blocker->shape.name);
+        if (at.filter)
+          for (const PassedBody& body : at.passed)
+            hit_shapes_by_id.emplace(body.shape.id, body.shape.name);
+      }
     }
   return hit_shapes_by_id;
 }
@@ -97,9 +102,17 @@ std::string space_json(Language language, const Scene& scene, const Explanation&
   add_shapes(language, where, scene.plural, kind++, hit_shapes_by_id, all, shapes);
   ZRAKA_SHAPES(ZRAKA_ADD)
 #undef ZRAKA_ADD
-  for (std::size_t i = 0; i < explanation.lights.size() && i < kFewShapes; ++i)
-    lights.push_back({{"at", point_json(explanation.lights[i].position)},
-                      {"label", say(language, Word::light, light_number(i))}});
+  for (std::size_t i = 0; i < explanation.lights.size() && i < kFewShapes; ++i) {
+    const Light& light = explanation.lights[i].light;
+    if (light.kind == LightKind::directional) continue;  // it stands nowhere
+    Vec3 at = explanation.lights[i].position;
+    if (light.kind == LightKind::rectangle)
+      at = {at.x + (light.edge_u.x + light.edge_v.x) / 2,
+            at.y + (light.edge_u.y + light.edge_v.y) / 2,
+            at.z + (light.edge_u.z + light.edge_v.z) / 2};
+    lights.push_back(
+        {{"at", point_json(at)}, {"label", light_title(language, explanation, i)}});
+  }
   const Camera& camera = scene.camera;
   const Json json = {{"rays", std::move(rays)},
                      {"shapes", std::move(shapes)},

@@ -4,7 +4,8 @@
 namespace zraka {
 
 template <class R>
-GeneralMemory<R>::GeneralMemory(std::int32_t batch, const TraceSettings& settings, bool textured)
+GeneralMemory<R>::GeneralMemory(std::int32_t batch, std::int32_t shadow_rays,
+                                const TraceSettings& settings, bool textured)
     : through_({.batch = batch, .max_depth = 0, .textured = textured, .general = true}) {
   const auto size = static_cast<std::size_t>(batch);
   const auto levels = static_cast<std::size_t>(settings.max_depth) + 1;
@@ -18,8 +19,9 @@ GeneralMemory<R>::GeneralMemory(std::int32_t batch, const TraceSettings& setting
   workspace_.through = through_.workspace().levels[0];
   workspace_.through_scratch = through_.workspace().scratch;
   workspace_.room = batch;
-  workspace_.waiting.reserve(size);
-  workspace_.filter.reserve(size);
+  workspace_.shadow_room = static_cast<std::size_t>(shadow_rays);
+  workspace_.waiting.reserve(workspace_.shadow_room);
+  workspace_.filter.reserve(workspace_.shadow_room);
 }
 
 template class GeneralMemory<float>;

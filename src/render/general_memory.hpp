@@ -10,8 +10,9 @@ namespace zraka {
 template <class R>
 class GeneralMemory {
  public:
-  /// For batches of so many rays.
-  GeneralMemory(std::int32_t batch, const TraceSettings& settings, bool textured);
+  /// For batches of so many rays, and so many shadow rays at a time.
+  GeneralMemory(std::int32_t batch, std::int32_t shadow_rays, const TraceSettings& settings,
+                bool textured);
 
   general::GeneralWorkspace<R>& workspace() { return workspace_; }
 

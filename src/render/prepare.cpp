@@ -120,6 +120,10 @@ double brightest_of(const FrozenOptics& optics, const RenderOptions& options) {
 
 }  // namespace
 
+bool needs_general_engine(const Scene& scene, const RenderOptions& options) {
+  return has_optics(scene) || has_optics(options);
+}
+
 template <class R>
 TraceSettings settings_of(const RenderOptions& options, const PreparedScene<R>& prepared,
                           int variation) {

@@ -12,6 +12,7 @@
 #include <vector>
 #include <zraka/render.hpp>
 
+#include "core/phrase.hpp"
 #include "core/spread.hpp"
 #include "render/corners.hpp"
 #include "render/isa.hpp"
@@ -152,6 +153,7 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
   if (!problems.empty()) return tl::make_unexpected(std::move(problems));
   const Result<Isa> isa = choose_isa(options.isa);
   if (!isa) return tl::make_unexpected(isa.error());
+  if (variation.kernel != nullptr && needs_general_engine(scene, options)) return beyond_the_lab();
   if (*isa == Isa::oracle && variation.kernel != nullptr)
     return failure("", "the oracle keeps to the rules", "ask for avx512, avx2 or portable");
 
@@ -195,6 +197,10 @@ Result<void> check_lesson(const Scene& scene) {
   if (scene.camera.kind == CameraKind::pinhole && !(scene.camera.aperture > 0)) return {};
   return failure("", "this is known for a pinhole camera without a lens only",
                  "use another camera: perspective or window");
+}
+
+tl::unexpected<Diagnostics> beyond_the_lab() {
+  return failure("", phrase(Word::mistake_beyond), phrase(Word::mistake_rules));
 }
 
 Result<Rendering> render_varied(const Scene& scene, const RenderOptions& options,

@@ -32,6 +32,15 @@ FilterOffset SampleRays<R>::offset(std::int32_t x, std::int32_t y, std::uint32_t
   return filter_.offset(sample_point(sampling_.seed, x, y, number, kPixelPair));
 }
 
+/// To the bit as make_camera_rays() of the engine has it.
+template <class R>
+V3<double> SampleRays<R>::plain_direction(std::int32_t x, std::int32_t y) const {
+  const V3<R> through = (camera_.first + camera_.down * static_cast<R>(y)) +
+                        camera_.right * static_cast<R>(x);
+  const V3<R> unit = through * (R(1) / std::sqrt(dot(through, through)));
+  return {static_cast<double>(unit.x), static_cast<double>(unit.y), static_cast<double>(unit.z)};
+}
+
 template <class R>
 typename SampleRays<R>::Made SampleRays<R>::make(std::int32_t x, std::int32_t y,
                                                  std::uint32_t number, Workspace<R>& workspace,
@@ -41,6 +50,7 @@ typename SampleRays<R>::Made SampleRays<R>::make(std::int32_t x, std::int32_t y,
   if (camera_.has_lens()) point.lens = sample_point(sampling_.seed, x, y, number, kLensPair);
   CameraRay ray;
   if (!camera_ray(camera_, point, ray)) return Made::nothing;
+  if (camera_.is_plain() && sampling_.is_single()) ray.direction = plain_direction(x, y);
 
   const RayArrays<R>& rays = workspace.levels[0].rays;
   rays.ox[index] = static_cast<R>(ray.origin.x);

@@ -30,6 +30,7 @@ class SampleRays {
   const PixelFilterShape& filter() const { return filter_; }
 
  private:
+  V3<double> plain_direction(std::int32_t x, std::int32_t y) const;
   FilterOffset offset(std::int32_t x, std::int32_t y, std::uint32_t number) const;
 
   const FrozenCamera<R>& camera_;

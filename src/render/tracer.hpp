@@ -3,11 +3,16 @@
 // kernel's, or the general one.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "render/general_memory.hpp"
 
 namespace zraka {
+
+/// So many shadow rays are sorted by direction: enough for neighbours to be found, few enough for
+/// the second-level cache.
+inline constexpr std::int32_t kWaitingShadowRays = 8192;
 
 /// One thread's memory for either engine.
 template <class R>
@@ -22,8 +27,11 @@ struct TracerMemory {
                 .textured = scene.textures != nullptr,
                 .recorded = recorded,
                 .general = scene.optics != nullptr,
+                .shadow_rays = scene.optics == nullptr ? 0 : kWaitingShadowRays,
                 .children = scene.optics == nullptr ? 2 : general::most_children(settings)}) {
-    if (scene.optics != nullptr) general.emplace(batch, settings, scene.textures != nullptr);
+    if (scene.optics != nullptr)
+      general.emplace(batch, std::max(batch, kWaitingShadowRays), settings,
+                      scene.textures != nullptr);
   }
   Workspace<R>& workspace() { return memory.workspace(); }
 };

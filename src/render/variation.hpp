@@ -23,7 +23,10 @@ struct Variation {
 /// Whether kernels of variations know a scene's camera: lessons have one ray a pixel, from the eye.
 Result<void> check_lesson(const Scene& scene);
 
-/// render() with a variation; not for Isa::oracle.
+/// What to answer where the rules of a picture shall be varied that asks for more than the lab's.
+tl::unexpected<Diagnostics> beyond_the_lab();
+
+/// render() with a variation; not for Isa::oracle. Fails where needs_general_engine().
 Result<Rendering> render_varied(const Scene& scene, const RenderOptions& options,
                                 const Variation& variation);
 /// Explainer::create() with a variation.

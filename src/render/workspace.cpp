@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/workspace.hpp"
 
+#include <algorithm>
 #include <new>
 
 namespace zraka {
@@ -34,7 +35,8 @@ void place_all(Layout& layout, Level<R>* levels, Workspace<R>& workspace,
   Scratch<R>& s = workspace.scratch;
   layout.place(batch, s.t, s.px, s.py, s.pz, s.nx, s.ny, s.nz, s.vx, s.vy, s.vz, s.offset, s.inside,
                s.lx, s.ly, s.lz, s.lit);
-  layout.place(batch, s.sox, s.soy, s.soz, s.sdx, s.sdy, s.sdz, s.sdistance);
+  const auto shadow_rays = static_cast<std::size_t>(std::max(needs.batch, needs.shadow_rays));
+  layout.place(shadow_rays, s.sox, s.soy, s.soz, s.sdx, s.sdy, s.sdz, s.sdistance);
   layout.place(batch, s.slot, s.material, s.shadow_ray_hit);
   layout.place(batch, workspace.samples);
   if (needs.textured) {
@@ -43,7 +45,7 @@ void place_all(Layout& layout, Level<R>* levels, Workspace<R>& workspace,
     layout.place(batch, s.details);
   }
   if (needs.textured || needs.general) layout.place(batch, s.paths);
-  if (needs.general) layout.place(batch, s.blocked);
+  if (needs.general) layout.place(shadow_rays, s.blocked);
   if (needs.recorded) layout.place(batch, s.smooth_x, s.smooth_y, s.smooth_z);
   const std::size_t rays_of_level = batch * static_cast<std::size_t>(needs.children);
   for (int i = 0; i <= needs.max_depth; ++i) {

@@ -15,6 +15,7 @@ struct WorkspaceNeeds {
   bool textured = false;
   bool recorded = false;  ///< with what only explanations read
   bool general = false;   ///< with what only the general engine uses
+  std::int32_t shadow_rays = 0;  ///< at a time, if more than `batch`
   int children = 2;       ///< the most of one hit
 };
 

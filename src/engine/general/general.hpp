@@ -122,8 +122,9 @@ class Listener {
 template <class R>
 struct Waiting {
   std::int32_t hit, sample;
-  V3<double> to_light;
-  double l_n;
+  V3<R> origin, direction;
+  R distance;
+  R l_n;
   V3<R> radiance;
 };
 
@@ -137,10 +138,12 @@ struct GeneralWorkspace {
   std::vector<std::int32_t> samples;  ///< of occlusion, by hit
   std::vector<Waiting<R>> waiting;
   std::vector<V3<R>> filter;  ///< of each that waits
+  std::vector<std::int32_t> order;  ///< in which they are traced
   /// Rays on their way through what is transparent, and what they hit there.
   Level<R> through;
   Scratch<R> through_scratch;
-  std::int32_t room;  ///< for shadow rays
+  std::int32_t room;        ///< for rays on their way through
+  std::size_t shadow_room;  ///< for what waits
   Inside at_eye;      ///< what the eye is inside of
   Listener<R>* listener = nullptr;
 };

@@ -198,6 +198,33 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
   }
 }
 
+/// Which of 96 parts of all directions one is in: sides of a cube, each of 4 by 4 squares.
+template <class R>
+std::size_t part_of(const V3<R>& d) {
+  const R x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
+  const auto fourth = [](R at, R most) {
+    const auto q = static_cast<std::int32_t>((at / most + R(1)) * R(2));
+    return static_cast<std::size_t>(std::clamp(q, 0, 3));
+  };
+  if (x >= y && x >= z) return (d.x < 0 ? 0 : 16) + 4 * fourth(d.y, x) + fourth(d.z, x);
+  if (y >= z) return (d.y < 0 ? 32 : 48) + 4 * fourth(d.x, y) + fourth(d.z, y);
+  return (d.z < 0 ? 64 : 80) + 4 * fourth(d.x, z) + fourth(d.y, z);
+}
+
+/// Rays that go the same way go together: they ask the same boxes. What comes of each is its own,
+/// whatever the order.
+template <class R>
+void order_by_direction(GeneralWorkspace<R>& general) {
+  const std::size_t n = general.waiting.size();
+  std::int32_t start[97] = {};
+  for (const Waiting<R>& one : general.waiting) ++start[part_of(one.direction) + 1];
+  for (std::size_t p = 1; p < 97; ++p) start[p] += start[p - 1];
+  general.order.resize(n);
+  for (std::size_t i = 0; i < n; ++i)
+    general.order[static_cast<std::size_t>(start[part_of(general.waiting[i].direction)]++)] =
+        static_cast<std::int32_t>(i);
+}
+
 /// What shadows leave of all that wait: general.filter.
 template <class R>
 void trace_waiting(const Batch<R>& batch) {
@@ -207,17 +234,26 @@ void trace_waiting(const Batch<R>& batch) {
   general.filter.assign(n, V3<R>{R(1), R(1), R(1)});
   if (n == 0 || !batch.settings.terms.shadows) return;
   batch.counts.shadow += n;
+  order_by_direction(general);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Waiting<R>& one = general.waiting[static_cast<std::size_t>(general.order[i])];
+    scratch.sox[i] = one.origin.x, scratch.soy[i] = one.origin.y, scratch.soz[i] = one.origin.z;
+    scratch.sdx[i] = one.direction.x, scratch.sdy[i] = one.direction.y;
+    scratch.sdz[i] = one.direction.z;
+    scratch.sdistance[i] = one.distance;
+  }
   batch.services.find_blocked(batch.scene, n, scratch);
   std::vector<Walk> walks;
   for (std::size_t i = 0; i < n; ++i) {
     if (scratch.blocked[i] == 0) continue;
+    const auto entry = static_cast<std::size_t>(general.order[i]);
     if (!may_be_passed(batch)) {
-      general.filter[i] = {R(0), R(0), R(0)};
+      general.filter[entry] = {R(0), R(0), R(0)};
       // Whoever explains wants to know what the light is blocked by.
       if (general.listener == nullptr) continue;
     }
-    const auto hit = static_cast<std::size_t>(general.waiting[i].hit);
-    Walk walk{i,
+    const auto hit = static_cast<std::size_t>(general.waiting[entry].hit);
+    Walk walk{entry,
               three(scratch.sox, scratch.soy, scratch.soz, i),
               three(scratch.sdx, scratch.sdy, scratch.sdz, i),
               static_cast<double>(scratch.sdistance[i]),
@@ -231,22 +267,10 @@ void trace_waiting(const Batch<R>& batch) {
   walk_through(batch, walks);
 }
 
-/// Puts a shadow ray beside what waits for it.
+/// Where the shadow rays of a hit begin.
 template <class R>
-void wait(const Batch<R>& batch, std::size_t h, std::int32_t sample, const Arriving& arrives,
-          double l_n, const V3<R>& radiance) {
-  Scratch<R>& scratch = batch.scratch;
-  const std::size_t i = batch.general.waiting.size();
-  const V3<double> from = batch.point(h) + batch.normal(h) * batch.offset(h);
-  scratch.sox[i] = static_cast<R>(from.x), scratch.soy[i] = static_cast<R>(from.y);
-  scratch.soz[i] = static_cast<R>(from.z);
-  scratch.sdx[i] = static_cast<R>(arrives.to_light.x);
-  scratch.sdy[i] = static_cast<R>(arrives.to_light.y);
-  scratch.sdz[i] = static_cast<R>(arrives.to_light.z);
-  scratch.sdistance[i] = static_cast<R>(std::fmin(arrives.distance, kFarthest));
-  scratch.shadow_ray_hit[i] = static_cast<std::int32_t>(h);
-  batch.general.waiting.push_back(
-      {static_cast<std::int32_t>(h), sample, arrives.to_light, l_n, radiance});
+V3<R> shadow_origin(const Batch<R>& batch, std::size_t h) {
+  return narrowed<R>(batch.point(h) + batch.normal(h) * batch.offset(h));
 }
 
 /// cosine^n; what is below 2^-40 is nothing: ln x ≤ x - 1.
@@ -272,17 +296,20 @@ void settle_light(const Batch<R>& batch) {
     const R* const row = batch.row(h);
     if (batch.settings.terms.diffuse)
       sum.diffuse = sum.diffuse + radiance * V3<R>{row[kDiffuse], row[kDiffuse + 1], row[kDiffuse + 2]} *
-                                      static_cast<R>(one.l_n);
+                                      one.l_n;
     const V3<R> ks{row[kSpecular], row[kSpecular + 1], row[kSpecular + 2]};
     if (!batch.settings.terms.specular || is_zero(ks)) continue;
     const V3<double> n = batch.normal(h), v = batch.view(h);
+    const V3<double> to_light{static_cast<double>(one.direction.x),
+                              static_cast<double>(one.direction.y),
+                              static_cast<double>(one.direction.z)};
     double cosine = 0;
     if (batch.material(h).highlight == Highlight::blinn) {
-      const V3<double> half = one.to_light + v;
+      const V3<double> half = to_light + v;
       const double length = std::sqrt(dot(half, half));
       cosine = length > 0 ? dot(n, half) / length : 0;
     } else {
-      cosine = dot(n * (2 * one.l_n) - one.to_light, v);
+      cosine = dot(n * (2 * dot(n, to_light)) - to_light, v);
     }
     if (!(cosine >= 0)) {
       if (one.sample == 0) sum.cosine = cosine;
@@ -305,6 +332,7 @@ void add_light(const Batch<R>& batch, std::int32_t index) {
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     const RayState<R>& ray = batch.ray_of(h);
     const V3<double> point = batch.point(h), normal = batch.normal(h);
+    const V3<R> origin = shadow_origin(batch, h);
     const bool is_surface = light.kind >= LightKind::rectangle;
     const Sobol2 points(
         is_surface ? hash(ray.key, static_cast<std::uint32_t>(index), 0x11u) : 0u);
@@ -324,8 +352,10 @@ void add_light(const Batch<R>& batch, std::int32_t index) {
       if (!(l_n >= 0)) continue;
       ++sum.facing;
       if (is_zero(radiance)) continue;
-      wait(batch, h, s, arrives, l_n, radiance);
-      if (general.waiting.size() == static_cast<std::size_t>(general.room)) settle_light(batch);
+      general.waiting.push_back(
+          {static_cast<std::int32_t>(h), s, origin, narrowed<R>(arrives.to_light),
+           static_cast<R>(std::fmin(arrives.distance, kFarthest)), static_cast<R>(l_n), radiance});
+      if (general.waiting.size() == general.shadow_room) settle_light(batch);
     }
   }
   settle_light(batch);
@@ -350,6 +380,7 @@ void find_occlusion(const Batch<R>& batch) {
   general.samples.assign(batch.hit_count(), 1);
   Listener<R>* const listener = general.listener;
   general.listener = nullptr;  // too much to tell
+  const auto distance = static_cast<R>(std::fmin(optics.occlusion_distance, kFarthest));
   const auto settle = [&] {
     trace_waiting(batch);
     for (std::size_t i = 0; i < general.waiting.size(); ++i) {
@@ -366,6 +397,7 @@ void find_occlusion(const Batch<R>& batch) {
     const std::int32_t samples = general.samples[h] = samples_for(optics.occlusion_samples, ray);
     V3<double> a{}, b{};
     const V3<double> normal = batch.normal(h);
+    const V3<R> origin = shadow_origin(batch, h);
     basis_of(normal, a, b);
     for (std::int32_t s = 0; s < samples; ++s) {
       const auto number = ray.sample * static_cast<std::uint32_t>(optics.occlusion_samples) +
@@ -373,8 +405,9 @@ void find_occlusion(const Batch<R>& batch) {
       const DiscPoint on = quick_concentric_disc(points[number]);
       const double up = std::sqrt(std::fmax(1 - on.x * on.x - on.y * on.y, 0.0));
       const V3<double> way = unit(a * on.x + b * on.y + normal * up);
-      wait(batch, h, s, {way, optics.occlusion_distance, 1}, up, V3<R>{});
-      if (general.waiting.size() == static_cast<std::size_t>(general.room)) settle();
+      general.waiting.push_back(
+          {static_cast<std::int32_t>(h), s, origin, narrowed<R>(way), distance, R(0), V3<R>{}});
+      if (general.waiting.size() == general.shadow_room) settle();
     }
   }
   settle();

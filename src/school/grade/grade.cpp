@@ -14,6 +14,7 @@
 #include "core/text.hpp"
 #include "image/alter.hpp"
 #include "image/packed.hpp"
+#include "render/prepare.hpp"
 #include "school/grade/align.hpp"
 #include "school/grade/rubric.hpp"
 #include "school/grade/submission.hpp"
@@ -90,8 +91,10 @@ const StagePictures& Grader::Impl::pictures(int stage) const {
   StagePictures& found = stages[static_cast<std::size_t>(stage - 1)];
   const auto render_all = [&] {
     found.coarse = coarse_of(right_of(stage));
+    // Mistakes are those of the lab's rules.
+    const bool none = needs_general_engine(scene, options);
     for (const MistakeEntry& entry : all_mistakes()) {
-      if (entry.first_stage > stage) continue;
+      if (none || entry.first_stage > stage) continue;
       // What render() refuses was refused by create().
       const Image picture = render_stage(stage, entry.mistake).value();
       // A picture that would pass for right is no picture of a mistake.

@@ -7,6 +7,7 @@
 #include "explain/names.hpp"
 #include "explain/sentence.hpp"
 #include "explain/text.hpp"
+#include "render/prepare.hpp"
 #include "school/mistakes/names.hpp"
 #include "school/quiz/ask.hpp"
 #include "school/quiz/cover.hpp"
@@ -97,6 +98,8 @@ Result<void> ColorAsker::prepare() {
   prepared_ = true;
   if (studio_.options().profile.average_corners) return {};  // four sums for one pixel
   if (studio_.scene().lights.size() > kMostLights) return {};
+  // What is listed for a colour to be computed from is the lab's.
+  if (needs_general_engine(studio_.scene(), studio_.options())) return {};
   const Result<const std::vector<Variant>*> variants = studio_.without_terms();
   if (!variants) return tl::make_unexpected(variants.error());
   const PackedImage right(studio_.right());

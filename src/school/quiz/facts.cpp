@@ -75,6 +75,8 @@ std::string Facts::reach(const LightTerms& at) const {
       return text(Word::reach_unchecked);
     case Reach::behind:
       return "";  // L·N says it
+    case Reach::dark:
+      return "";  // not in the lab
     case Reach::blocked:
       break;
   }

@@ -8,6 +8,7 @@
 
 #include "core/phrase.hpp"
 #include "image/page_picture.hpp"
+#include "render/prepare.hpp"
 #include "school/quiz/ask.hpp"
 
 namespace zraka {
@@ -61,6 +62,8 @@ Result<Quiz> asked(Studio& studio, const QuizOptions& options) {
       askers.erase(askers.begin() + static_cast<std::ptrdiff_t>(turn));
     }
   }
+  if (quiz.questions.empty() && needs_general_engine(studio.scene(), studio.options()))
+    return failure("", phrase(Word::quiz_beyond), phrase(Word::mistake_rules));
   if (quiz.questions.empty())
     return failure("", phrase(Word::quiz_nothing), phrase(Word::quiz_needs));
   return quiz;

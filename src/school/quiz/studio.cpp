@@ -8,6 +8,7 @@
 
 #include "core/phrase.hpp"
 #include "image/alter.hpp"
+#include "render/prepare.hpp"
 
 namespace zraka {
 namespace {
@@ -85,7 +86,10 @@ Result<const std::vector<Variant>*> Studio::without_terms() {
 Result<const std::vector<Variant>*> Studio::with_mistakes() {
   if (!with_mistakes_) {
     std::vector<Variant> list;
+    // Mistakes are those of the lab's rules.
+    const bool none = needs_general_engine(*scene_, options_);
     for (const MistakeEntry& entry : all_mistakes()) {
+      if (none) break;
       // Half a pixel moves every edge, and nobody sees it.
       if (entry.mistake == Mistake::pixel_center) continue;
       const Result<void> added = add_if_seen(list, {options_.terms, entry.mistake, {}, {}});

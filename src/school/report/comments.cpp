@@ -67,6 +67,8 @@ class Comments {
   void mostly_on();
   void full();
   void ended();
+  /// What there is beyond the lab's optics.
+  void optics(Stage stage);
 
   Language language_;
   const SceneFacts& scene_;
@@ -171,10 +173,16 @@ void Comments::shadows() {
   if (facts_.rays.shadow == 0) return say(Word::report_no_shadow_rays);
   std::uint64_t blocked = 0;
   for (const LightFacts& light : facts_.lights) blocked += light.blocked;
-  say(Word::report_shadow_rays, count(Counted::shadow_ray, facts_.rays.shadow), grouped(blocked),
-      share(blocked, facts_.rays.shadow));
+  if (scene_.general)
+    say(Word::report_shadow_rays_all, count(Counted::shadow_ray, facts_.rays.shadow),
+        grouped(blocked));
+  else
+    say(Word::report_shadow_rays, count(Counted::shadow_ray, facts_.rays.shadow),
+        grouped(blocked), share(blocked, facts_.rays.shadow));
+  if (blocked == 0 && scene_.general) return;
   if (blocked == 0) return say(Word::report_no_shadow);
   if (facts_.change.pixels > 0) say(Word::report_shadows);
+  if (facts_.shadows.empty()) return;
   const ShadowFacts& most = facts_.shadows[0];
   say(Word::report_thrower, label(most.by), count(Counted::pixel, most.by.pixels),
       label(most.mostly_on, Case::locative), grouped(most.mostly_on.pixels));
@@ -255,11 +263,35 @@ void Comments::refraction() {
         box.right, box.top, box.bottom);
     say(Word::report_total_sides, grouped(total.leaving), grouped(total.entering));
     if (total.entering > 0) say(Word::report_total_outside);
-    say(scene_.profile.mirror_when_total ? Word::report_total_mirrored : Word::report_total_black,
-        "k2");
+    if (facts_.fresnel == 0)  // else by material
+      say(scene_.profile.mirror_when_total ? Word::report_total_mirrored
+                                           : Word::report_total_black,
+          "k2");
   }
   full();
   ended();
+}
+
+void Comments::optics(Stage stage) {
+  std::uint64_t partly = 0, dimmed = 0;
+  for (std::size_t i = 0; i < facts_.lights.size(); ++i) {
+    const LightFacts& light = facts_.lights[i];
+    partly += light.partly;
+    dimmed += light.dimmed;
+    if (stage == Stage::diffuse && light.dark > 0)
+      say(Word::report_dark, light_number(i), grouped(light.dark));
+  }
+  if (stage == Stage::shadows && partly > 0) say(Word::report_partly, grouped(partly));
+  if (stage == Stage::shadows && dimmed > 0) say(Word::report_dimmed, grouped(dimmed));
+  if (stage < Stage::reflection) return;
+  if (facts_.absorbed > 0) say(Word::report_absorbed, grouped(facts_.absorbed));
+  if (facts_.fresnel > 0) say(Word::report_fresnel, grouped(facts_.fresnel));
+  if (facts_.split > 0)
+    say(Word::report_split, scene_.wavelengths, grouped(facts_.split));
+  if (facts_.rays.cut > 0)
+    say(Word::report_cut,
+        with_comma(language_, fmt::format("{:.4g}", scene_.min_contribution)),
+        grouped(facts_.rays.cut));
 }
 
 std::vector<std::string> Comments::write(Stage stage) {
@@ -286,6 +318,7 @@ std::vector<std::string> Comments::write(Stage stage) {
       refraction();
       break;
   }
+  if (scene_.general) optics(stage);
   return std::move(sentences_);
 }
 

@@ -146,7 +146,8 @@ void Measurement::sort_out(const RayTally& tally, StageFacts& stage) const {
   stage.later_points = tally.later_points;
   if (options_.terms.diffuse || options_.terms.specular) {
     for (const RayTally::Light& light : tally.lights)
-      stage.lights.push_back({light.facing, light.away, light.blocked});
+      stage.lights.push_back({light.facing, light.away, light.blocked, light.dark, light.partly,
+                              light.dimmed});
     stage.unlit = tally.lights.empty() ? tally.points : tally.unlit;
   }
   stage.entering = tally.entering;
@@ -154,6 +155,9 @@ void Measurement::sort_out(const RayTally& tally, StageFacts& stage) const {
   stage.ended_reflected = tally.ended_reflected;
   stage.ended_refracted = tally.ended_refracted;
   stage.deepest = static_cast<int>(tally.deepest);
+  stage.absorbed = tally.absorbed;
+  stage.fresnel = tally.fresnel;
+  stage.split = tally.split;
   stage.total.entering = tally.total_entering;
   stage.total.leaving = tally.total_leaving;
   std::map<std::int32_t, ShapePixels> mostly_on;
@@ -224,6 +228,9 @@ Result<SceneFacts> measure_stages(
     measurement.facts.shapes = scene.shape_count();
     measurement.facts.lights = scene.lights.size();
     measurement.facts.dark = scene.ambient_light == Color{0, 0, 0};
+    measurement.facts.general = needs_general_engine(scene, options);
+    measurement.facts.min_contribution = options.min_contribution;
+    measurement.facts.wavelengths = options.wavelengths;
     for (int i = 1; i <= 7; ++i) {
       const Result<void> done = measurement.stage(static_cast<Stage>(i), take);
       if (!done) return tl::make_unexpected(done.error());

@@ -34,7 +34,10 @@ struct Change {
 struct LightFacts {
   std::uint64_t facing = 0;   ///< points on a surface that faces it
   std::uint64_t away = 0;     ///< L·N < 0
-  std::uint64_t blocked = 0;  ///< facing, but the shadow ray hits a shape
+  std::uint64_t blocked = 0;  ///< facing, but the shadow ray hits a shape; of a surface, all do
+  std::uint64_t dark = 0;     ///< facing, but outside of the spot's cone
+  std::uint64_t partly = 0;   ///< some of a surface's shadow rays reach it, some do not
+  std::uint64_t dimmed = 0;   ///< reached through transparent bodies
 };
 
 /// A shape that shadow rays from points that the eye sees hit first.
@@ -68,6 +71,9 @@ struct StageFacts {
   /// Points at the greatest depth whose shares ask for a reflected or refracted ray.
   std::uint64_t ended_reflected = 0, ended_refracted = 0;
   int deepest = 0;  ///< level of rays that occurs
+  /// Hits of all rays: after a way through what absorbs; where Fresnel's share moves from
+  /// refraction to reflection; where light is split into wavelengths.
+  std::uint64_t absorbed = 0, fresnel = 0, split = 0;
 };
 
 /// A scene's seven stages.
@@ -80,6 +86,9 @@ struct SceneFacts {
   std::uint64_t shapes = 0;       ///< in the scene
   std::size_t lights = 0;         ///< in the scene
   bool dark = false;              ///< no ambient light
+  bool general = false;           ///< more than the lab's optics
+  double min_contribution = 0;    ///< rays of less are not traced
+  int wavelengths = 0;            ///< into which light is split
   std::uint64_t covered = 0;      ///< pixels that show a shape, if only in a corner
   std::vector<ShapePixels> seen;  ///< shapes that rays from the eye hit
   std::array<StageFacts, 7> stages;

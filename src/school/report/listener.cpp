@@ -17,6 +17,9 @@ void RayTally::add(const RayTally& more) {
     lights[i].facing += more.lights[i].facing;
     lights[i].away += more.lights[i].away;
     lights[i].blocked += more.lights[i].blocked;
+    lights[i].dark += more.lights[i].dark;
+    lights[i].partly += more.lights[i].partly;
+    lights[i].dimmed += more.lights[i].dimmed;
   }
   entering += more.entering;
   leaving += more.leaving;
@@ -24,6 +27,9 @@ void RayTally::add(const RayTally& more) {
   total_leaving += more.total_leaving;
   ended_reflected += more.ended_reflected;
   ended_refracted += more.ended_refracted;
+  absorbed += more.absorbed;
+  fresnel += more.fresnel;
+  split += more.split;
   deepest = std::max(deepest, more.deepest);
   for (const auto& [what, count] : more.pixels) pixels[what] += count;
   for (int i = 0; i < 2; ++i) total_box[i] = std::min(total_box[i], more.total_box[i]);
@@ -38,9 +44,7 @@ StageListener::StageListener(const FrozenScene<float>& scene, const TraceSetting
       more_(corners ? 1 : 0),
       width_(width),
       height_(height),
-      workspace_(batch, settings.max_depth, true),
-      terms_(batch, *this),
-      ignored_(3 * static_cast<std::size_t>(batch)),
+      recorder_(scene, settings, batch, *this),
       roots_(static_cast<std::size_t>(settings.max_depth) + 1),
       refracted_(roots_.size()) {
   tally_.lights.resize(static_cast<std::size_t>(scene.light_count));
@@ -89,10 +93,23 @@ void StageListener::at_hits(const Level<float>& level, const Scratch<float>& s) 
     }
     if (!counts_[from]) continue;
     ++(depth == 0 ? tally_.points : tally_.later_points);
+    if (recorder_.general() != nullptr && recorder_.general()->absorbs(h)) ++tally_.absorbed;
     if (!last || settings_.terms.silhouette) continue;
     if (settings_.terms.reflection && material(s, h, kReflection) != 0) ++tally_.ended_reflected;
     if (settings_.terms.refraction && material(s, h, kRefraction) != 0) ++tally_.ended_refracted;
   }
+}
+
+/// What only the general engine has.
+void StageListener::count_light(RayTally::Light& facts, std::size_t h) const {
+  const GeneralRecorder& general = *recorder_.general();
+  const general::LightSum<float>& sum = general.sum(h);
+  if (general.is_dark(h)) ++facts.dark;
+  if (!settings_.terms.shadows || sum.lit == 0) return;
+  if (sum.lit < sum.facing) ++facts.partly;
+  const std::vector<GeneralRecorder::Body>& passed = general.passed(h);
+  if (std::any_of(passed.begin(), passed.end(), [](const auto& body) { return !body.stops; }))
+    ++facts.dimmed;
 }
 
 void StageListener::at_light(std::int32_t light, std::size_t shadow_rays, const Level<float>& level,
@@ -109,9 +126,13 @@ void StageListener::at_light(std::int32_t light, std::size_t shadow_rays, const 
     const auto h = static_cast<std::size_t>(s.shadow_ray_hit[i]);
     facts.facing += counted(h);
     facts.away -= counted(h);
+    if (recorder_.general() != nullptr) {
+      if (counted(h) != 0) count_light(facts, h);
+      if (recorder_.general()->is_dark(h)) continue;
+    }
     if (s.lit[h] > 0) continue;
     facts.blocked += counted(h);
-    const std::int32_t by = terms_.blocker(i, s), on = s.slot[level.hits.ray[h]];
+    const std::int32_t by = recorder_.terms().blocker(i, s), on = s.slot[level.hits.ray[h]];
     const std::size_t from = root(0, level, h);
     if (by < 0) continue;
     note(Tie::shadow_by, by, -1, from);
@@ -126,29 +147,29 @@ void StageListener::at_light(std::int32_t light, std::size_t shadow_rays, const 
 void StageListener::at_children(const Level<float>& level, const Level<float>& next) {
   const std::size_t depth = depth_of(level);
   const auto begin = static_cast<std::size_t>(level.done);
-  const Scratch<float>& s = workspace_.workspace().scratch;
+  const Scratch<float>& s = recorder_.workspace().scratch;
+  const GeneralRecorder* const general = recorder_.general();
   roots_[depth + 1].resize(static_cast<std::size_t>(next.ray_count));
   refracted_[depth + 1].resize(static_cast<std::size_t>(next.ray_count));
-  const auto take = [&](std::size_t h, std::int32_t index, bool refracted) {
-    if (index < 0) return;
-    const std::size_t parent = begin + static_cast<std::size_t>(level.hits.ray[h]);
-    const auto child = static_cast<std::size_t>(index);
-    roots_[depth + 1][child] = roots_[depth][parent];
-    refracted_[depth + 1][child] = refracted_[depth][parent] || refracted;
-    tally_.deepest = std::max(tally_.deepest, depth + 1);
-  };
   for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
-    take(h, level.hits.reflected[h], false);
-    take(h, level.hits.refracted[h], true);
+    const std::size_t parent = begin + static_cast<std::size_t>(level.hits.ray[h]);
+    recorder_.each_child(level, h, [&](std::int32_t index, bool refracted) {
+      const auto child = static_cast<std::size_t>(index);
+      roots_[depth + 1][child] = roots_[depth][parent];
+      refracted_[depth + 1][child] = refracted_[depth][parent] || refracted;
+      tally_.deepest = std::max(tally_.deepest, depth + 1);
+    });
     if (!settings_.terms.refraction || material(s, h, kRefraction) == 0) continue;
     const std::size_t from = root(depth, level, h);
     const bool leaves = s.inside[h] > 0;
-    const bool total = !(terms_.at(Quantity::quarter_d, h) >= 0);
+    const bool total = !(recorder_.terms().at(Quantity::quarter_d, h) >= 0);
     if (total) {
       note(Tie::total, s.slot[level.hits.ray[h]], -1, from);
       note(Tie::total, kAnyShape, -1, from);
     }
     if (!counts_[from]) continue;
+    if (general != nullptr && general->state(h).split) ++tally_.split;
+    if (general != nullptr && general->has_fresnel(h)) ++tally_.fresnel;
     if (total)
       ++(leaves ? tally_.total_leaving : tally_.total_entering);
     else
@@ -175,9 +196,7 @@ void StageListener::read(const TileRect& tile, std::vector<std::int32_t>& seen) 
   refracted_[0].assign(places_.size(), false);
   first_slot_.assign(places_.size(), kNothingSeen);
 
-  RayCounts ignored;
-  record_tile()(scene_, settings_, rays, workspace_.workspace(), ignored, ignored_.data(),
-                static_cast<std::size_t>(rays.width), terms_.recording());
+  recorder_.trace(rays);
 
   const auto index = [&](std::int32_t x, std::int32_t y) {
     return static_cast<std::size_t>(tile.y + y) * static_cast<std::size_t>(width_) +

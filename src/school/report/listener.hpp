@@ -6,8 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "explain/recording.hpp"
-#include "render/workspace.hpp"
+#include "explain/general_recording.hpp"
 
 namespace zraka {
 
@@ -25,11 +24,17 @@ enum class Tie : std::uint8_t {
 struct RayTally {
   struct Light {
     std::uint64_t facing = 0, away = 0, blocked = 0;
+    std::uint64_t dark = 0;             ///< facing, but outside of the spot's cone
+    std::uint64_t partly = 0;           ///< some, but not all of a surface is seen
+    std::uint64_t dimmed = 0;           ///< reached through transparent bodies
   };
   std::uint64_t points = 0, later_points = 0, unlit = 0;
   std::vector<Light> lights;
   std::uint64_t entering = 0, leaving = 0, total_entering = 0, total_leaving = 0;
   std::uint64_t ended_reflected = 0, ended_refracted = 0;
+  /// Hits of all rays: that have come through what absorbs, where Fresnel moves light from
+  /// refraction to reflection, where light is split into wavelengths.
+  std::uint64_t absorbed = 0, fresnel = 0, split = 0;
   std::size_t deepest = 0;
   /// Pixels by what they have to do with a slot, and for shadows the slot that they fall on; with
   /// slot kAnyShape pixels that have it to do with any.
@@ -66,10 +71,11 @@ class StageListener {
 
  private:
   std::size_t depth_of(const Level<float>& level) {
-    return static_cast<std::size_t>(&level - workspace_.workspace().levels);
+    return static_cast<std::size_t>(&level - recorder_.workspace().levels);
   }
   /// Which ray from the eye the hit comes from.
   std::size_t root(std::size_t depth, const Level<float>& level, std::size_t hit) const;
+  void count_light(RayTally::Light& facts, std::size_t h) const;
   float material(const Scratch<float>& s, std::size_t hit, MaterialColumn column) const;
   void note(Tie tie, std::int32_t slot, std::int32_t on, std::size_t root);
   void leave_each_once();
@@ -78,9 +84,7 @@ class StageListener {
   const TraceSettings& settings_;
   std::int32_t more_;  ///< rays of a row, and of a column, that are more than pixels
   std::int32_t width_, height_;
-  WorkspaceMemory<float> workspace_;
-  RecordedTerms terms_;
-  std::vector<float> ignored_;
+  TileRecorder recorder_;
   TileRect tile_{};
   std::vector<TileRect> places_;  ///< by ray from the eye: its pixels, in the tile
   std::vector<bool> counts_;      ///< by ray from the eye: false if it is another tile's, too
