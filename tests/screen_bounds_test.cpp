@@ -247,7 +247,7 @@ TEST(ScreenBounds, GrowByWhatFiltersReach) {
   scene.camera.window_center = {0, 0, -1};
   scene.materials = {{}};
   scene.spheres.push_back({{{1.8, 0, -3.9}, 0.9}, 0});
-  const auto prepared = prepare<float>(scene, profile_of(ProfileName::lab));
+  const auto prepared = prepare<float>(scene, RenderOptions{.profile = profile_of(ProfileName::lab)});
   expect_rect(ScreenBounds(prepared.store->scene, 100, 100, 2).part_of({0, 0, 100, 100}),
               {57, 32, 42, 37});
 }
