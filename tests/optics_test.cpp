@@ -268,6 +268,70 @@ TEST(TransparentShadows, AbsorbByTheLengthInside) {
   EXPECT_NEAR(seen[2], 0.8 * 0.5, 1e-5);
 }
 
+/// A lamp, or the whole way to it, inside of what absorbs: the last stretch counts, too.
+TEST(TransparentShadows, AbsorbUpToALightInside) {
+  Scene scene = narrow_scene({.ambient = {}, .diffuse = {1, 1, 1}});
+  scene.materials.push_back(
+      {.ambient = {}, .diffuse = {}, .refraction = 1, .absorption = {0.5, 0.5, 0.5}});
+  add_wall(scene, 0, 1, 0);
+  scene.spheres.push_back({Sphere{{0, 0, 6}, 2}, 1});
+  scene.lights = {{{0, 0, 6}}};
+  scene.camera.eye = {3, 0, 4};
+  const RenderOptions options{.shadows = Shadows::transparent};
+  EXPECT_NEAR(middle(rendered(scene, options))[0], std::exp(-1.0), 1e-5);
+  // Both under water, and the eye, too.
+  scene.spheres.clear();
+  scene.boxes.push_back({Box{{-50, -50, -1}, {50, 50, 20}}, 1});
+  EXPECT_NEAR(middle(rendered(scene, options))[0], std::exp(-0.5 * 6) * std::exp(-0.5 * 5), 1e-5);
+}
+
+TEST(TransparentShadows, OfSheetsDoNotDependOnTheirSide) {
+  Scene scene = narrow_scene({.ambient = {}, .diffuse = {1, 1, 1}});
+  scene.materials.push_back(
+      {.ambient = {}, .diffuse = {}, .refraction = 0.8, .absorption = {0.5, 0.5, 0.5}});
+  add_wall(scene, 0, 1, 0);
+  scene.lights = {{{30, 0, 40}}};
+  const RenderOptions options{.shadows = Shadows::transparent};
+  for (const double side : {-1.0, 1.0}) {
+    scene.parallelograms.resize(1);
+    scene.parallelograms.push_back(
+        {Parallelogram{{3, -side, 8}, {6, 0, 0}, {0, 2 * side, 0}}, 1});
+    EXPECT_NEAR(middle(rendered(scene, options))[0], 0.8 * 0.8, 1e-6) << side;
+  }
+}
+
+TEST(TransparentShadows, StopAtWhatIsOpaqueInABody) {
+  for (const double where : {-0.8, 0.8}) {
+    Scene scene = narrow_scene({.ambient = {}, .diffuse = {1, 1, 1}});
+    scene.materials.push_back({.ambient = {}, .diffuse = {}, .refraction = 0.8});
+    scene.materials.push_back({});
+    add_wall(scene, 0, 1, 0);
+    scene.lights = {{{30, 0, 40}}};
+    Csg both{CsgOperation::unite, {}};
+    both.of.push_back({Box{{5, -1, 7}, {7, 1, 9}}, 1, 0, ""});
+    both.of.push_back({Ellipsoid{{6 + where * 0.6, 0, 8 + where * 0.8}, {0.6, 0.6, 0.6}}, 2, 0, ""});
+    scene.csgs.push_back({std::move(both), 1});
+    EXPECT_EQ(middle(rendered(scene, {.shadows = Shadows::transparent}))[0], 0) << where;
+  }
+}
+
+/// What has the index of what is around it cannot be seen, also where the eye is in it.
+TEST(Priorities, KnowWhatTheEyeIsInsideOf) {
+  Scene scene = narrow_scene({.ambient = {}, .diffuse = {}, .refraction = 1, .ior = 1.33,
+                              .absorption = {0.1, 0.1, 0.1}, .priority = 1});
+  scene.materials.push_back({.ambient = {}, .diffuse = {}, .refraction = 1, .ior = 1.33,
+                             .priority = 2});
+  scene.background = {1, 1, 1};
+  scene.camera = {{0.3, 0, 4}, {0.3, 0, 0}, {0.001, 0, 0}, {0, 0.001, 0}};
+  scene.boxes.push_back({Box{{-9, -9, -5}, {9, 9, 5}}, 0});
+  scene.spheres.push_back({Sphere{{0, 0, 0}, 1}, 1});
+  RenderOptions options;
+  options.max_depth = 6;
+  // 9 of water, less the chord through the ball, which is clear.
+  const double chord = 2 * std::sqrt(1 - 0.09);
+  EXPECT_NEAR(middle(rendered(scene, options))[0], std::exp(-0.1 * (9 - chord)), 1e-4);
+}
+
 /// A sphere of air in glass does not bend light as one of glass in air does; with priorities the
 /// air that is in the glass counts, or does not.
 TEST(Priorities, SayWhichOfOverlappingBodiesCounts) {
@@ -415,6 +479,20 @@ TEST(GeneralEngine, HasTheSameBitsEverywhere) {
         options.isa = isa, options.threads = threads, options.tile = tile;
         EXPECT_EQ(sha256(rendered(scene, options)), wanted) << name_of(isa) << threads << tile;
       }
+}
+
+/// A light that is as bright as one likes close by has no bound, whatever else is 0.
+TEST(Contributions, AreNotCutWhereNothingBoundsThem) {
+  Scene scene = narrow_scene({.ambient = {}, .diffuse = {}, .reflection = 1});
+  scene.materials.push_back({.ambient = {}, .diffuse = {0, 0.5, 0.5}});
+  add_wall(scene, 0, 1, 0);
+  add_wall(scene, 20, 30, 1);
+  scene.lights = {{.position = {0, 0, 15}, .color = {0, 1, 0}, .attenuation = {0, 0, 1}}};
+  RenderOptions options;
+  const auto whole = middle(rendered(scene, options));
+  EXPECT_GT(whole[1], 0.01);
+  options.min_contribution = 1e-4;
+  EXPECT_EQ(middle(rendered(scene, options)), whole);
 }
 
 TEST(Contributions, BelowTheThresholdAreBoundedByWhatWasCut) {

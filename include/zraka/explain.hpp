@@ -44,6 +44,12 @@ struct PassedBody {
   Float3 transmittance{1, 1, 1};  ///< what is left after that
 };
 
+/// The way from the last of them, or from the hit, to the light, inside of what absorbs.
+struct LastStretch {
+  double length = 0;
+  Float3 transmittance{};
+};
+
 /// One light at one hit. Terms that are not there were not added. Of a light that is a surface the
 /// way, R·V and the highlight are those of the first sample, the terms the means of all.
 struct LightTerms {
@@ -60,6 +66,7 @@ struct LightTerms {
   /// What transparent bodies leave of that, and which they are, in the order of distance.
   std::optional<Float3> filter{};
   std::vector<PassedBody> passed{};
+  std::optional<LastStretch> last{};
   int samples = 1, facing = 1, reaching = 1;  ///< shadow rays: all, those that face it, that reach it
 };
 

@@ -90,6 +90,7 @@ class GeneralReader final : public general::Listener<float> {
   std::map<std::uint64_t, NamedBody> bodies_;
   /// Of the light at hand, by hit: what its first sample passes.
   std::map<std::int32_t, std::vector<PassedBody>> passed_;
+  std::map<std::int32_t, LastStretch> last_;
   TooLarge too_large_;
 };
 
@@ -183,6 +184,7 @@ void GeneralReader::at_hits(const Level<float>& level, const Scratch<float>& s,
     tree_.rays[first + static_cast<std::size_t>(level.hits.ray[h])].hit = std::move(found);
   }
   passed_.clear();
+  last_.clear();
   const std::uint64_t terms =
       std::uint64_t{tree_.rays.size()} * static_cast<std::uint64_t>(stand_.frozen().light_count);
   if (terms <= kMaxExplainedTerms) return;
@@ -192,6 +194,11 @@ void GeneralReader::at_hits(const Level<float>& level, const Scratch<float>& s,
 
 void GeneralReader::at_passed(const general::Passed<float>& passed) {
   if (passed.sample != 0 || stop) return;
+  if (passed.slot < 0) {
+    last_[passed.hit] = {stand_.prepared.frame.world_length(passed.length),
+                         float3(passed.transmittance)};
+    return;
+  }
   passed_[passed.hit].push_back({stand_.named(passed.slot), hit_reader_.path(passed.path),
                                  stand_.prepared.frame.world_length(passed.distance),
                                  float3(passed.share),
@@ -218,6 +225,10 @@ void GeneralReader::at_light(std::int32_t /*light*/, const Level<float>& level,
                   .reaching = sum.lit};
     if (const auto passed = passed_.find(static_cast<std::int32_t>(h)); passed != passed_.end())
       at.passed = std::move(passed->second);
+    if (const auto last = last_.find(static_cast<std::int32_t>(h)); last != last_.end()) {
+      at.last = last->second;
+      at.filter = float3(sum.filter);
+    }
     if (sum.facing > 0) at.reach = sum.lit > 0 || !stage.shadows ? Reach::lit : Reach::blocked;
     if (sum.facing > 0 && !stage.shadows) at.reach = Reach::unchecked;
     const bool darkened = sum.radiance.x == 0 && sum.radiance.y == 0 && sum.radiance.z == 0;
@@ -238,6 +249,7 @@ void GeneralReader::at_light(std::int32_t /*light*/, const Level<float>& level,
     hit(level, h).lights.push_back(std::move(at));
   }
   passed_.clear();
+  last_.clear();
 }
 
 void GeneralReader::read_snell(ExplainedHit& at, const general::HitState<float>& state,

@@ -51,6 +51,7 @@ void GeneralRecorder::at_hits(const Level<float>& level, const Scratch<float>& s
 }
 
 void GeneralRecorder::at_passed(const general::Passed<float>& passed) {
+  if (passed.slot < 0) return;
   std::vector<Body>& bodies = passed_[static_cast<std::size_t>(passed.hit)];
   const bool stops = passed.share.x == 0 && passed.share.y == 0 && passed.share.z == 0;
   const auto known = std::find_if(bodies.begin(), bodies.end(), [&](const Body& body) {

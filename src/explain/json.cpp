@@ -59,6 +59,9 @@ void add_way(const LightTerms& at, Json& json) {
   }
   if (!at.filter) return;
   json["filter"] = number_json(*at.filter);
+  if (at.last)
+    json["last"] = {{"length", at.last->length},
+                    {"transmittance", number_json(at.last->transmittance)}};
   json["passed"] = Json::array();
   for (const PassedBody& body : at.passed) {
     Json passed = body_json(body.shape, body.path);

@@ -135,6 +135,9 @@ std::vector<std::string> passed_lines(Language language, const LightTerms& at) {
       lines.push_back(
           say(language, Word::passes, by, t, "k2 = " + short_vector(language, body.share)));
   }
+  if (at.last)
+    lines.push_back(say(language, Word::passed_inside, short_number(language, at.last->length),
+                        "exp(-a·d) = " + short_vector(language, at.last->transmittance)));
   lines.push_back(say(language, Word::passed_left, "T = " + short_vector(language, *at.filter)));
   return lines;
 }

@@ -47,7 +47,7 @@ struct PictureJob {
   /// pixel's place.
   std::optional<ScreenBounds> bounds(double reach = 0) const {
     if constexpr (std::is_same_v<R, float>)
-      if (settings.variation == 0 && sky_is_flat())
+      if (settings.variation == 0 && sky_is_flat() && scene.camera.kind != CameraKind::fisheye)
         return ScreenBounds(scene, resolution.width, resolution.height, reach);
     return std::nullopt;
   }

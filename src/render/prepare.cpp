@@ -111,11 +111,23 @@ bool has_optics(const RenderOptions& options) {
 }
 
 /// No ray brings more than this, by any channel.
-double brightest_of(const FrozenOptics& optics, const RenderOptions& options) {
-  double most = std::max(optics.most_sky, optics.most_local);
-  for (int level = 0; level < options.max_depth; ++level)
-    most = std::max(optics.most_sky, optics.most_local + optics.most_shares * most);
-  return options.profile.clamp_levels ? std::min(most, 1.0) : most;
+double brightest_of(const FrozenOptics& optics, const RenderOptions& options,
+                    const Wavelengths& waves) {
+  // The parts of split light are of all channels together, of some less than nothing.
+  double parts = 1;
+  for (int c = 0; c < 3 && optics.dispersive; ++c) {
+    double sum = 0;
+    for (int i = 0; i < waves.count; ++i) sum += std::fabs(static_cast<double>(waves.weight[i][c]));
+    parts = std::max(parts, sum);
+  }
+  const double shares = optics.most_shares * parts;
+  const auto shown = [&](double light) {
+    return std::max(optics.most_sky, options.profile.clamp_levels ? std::min(light, 1.0) : light);
+  };
+  double most = shown(optics.most_local);
+  for (int level = 0; level < options.max_depth && shares > 0; ++level)
+    most = shown(optics.most_local + shares * most);
+  return most;
 }
 
 }  // namespace
@@ -139,9 +151,9 @@ TraceSettings settings_of(const RenderOptions& options, const PreparedScene<R>& 
   if (optics == nullptr) return settings;
   settings.transparent_shadows = options.shadows == Shadows::transparent;
   settings.min_contribution = options.min_contribution;
-  settings.brightest = brightest_of(*optics, options);
   settings.seed = options.sampling.seed;
   settings.wavelengths = wavelengths_in(options.wavelengths);
+  settings.brightest = brightest_of(*optics, options, settings.wavelengths);
   return settings;
 }
 

@@ -55,6 +55,7 @@ std::string problem_of(const Light& light) {
     return fmt::format("is farther than {} from the origin", kFarthest);
   if (placed && !(finite(a) && a.x >= 0 && a.y >= 0 && a.z >= 0 && a != Vec3{}))
     return "has an attenuation that is not finite, below 0, or 0";
+  if (placed && std::max({a.x, a.y, a.z}) < 1e-30) return "has an attenuation below 1e-30";
   if (surface && (light.samples < 1 || light.samples > kMaxSamples))
     return fmt::format("has {} samples: expected 1 to {}", light.samples, kMaxSamples);
   switch (light.kind) {

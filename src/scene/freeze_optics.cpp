@@ -111,6 +111,12 @@ double most_of_image(const Texture& texture) {
   return most;
 }
 
+/// Where there is nothing of one, there is nothing of both, however much the other is.
+V3<double> product(const V3<double>& a, const V3<double>& b) {
+  const auto times = [](double x, double y) { return x == 0 || y == 0 ? 0.0 : x * y; };
+  return {times(a.x, b.x), times(a.y, b.y), times(a.z, b.z)};
+}
+
 /// What bounds the radiance of rays.
 void find_bounds(const Scene& scene, FrozenOptics& out) {
   const auto plus = [](const V3<double>& a, const V3<double>& b) { return a + b; };
@@ -121,8 +127,12 @@ void find_bounds(const Scene& scene, FrozenOptics& out) {
                              : each.attenuation.x > 0
                                  ? 1 / each.attenuation.x
                                  : std::numeric_limits<double>::infinity();
-    light = plus(light, vector_of(each.color) * strongest);
+    light = plus(light, product(vector_of(each.color), {strongest, strongest, strongest}));
   }
+  const double most_occluded =
+      scene.ambient_occlusion.samples > 0
+          ? std::max(1.0, most_of(vector_of(scene.ambient_occlusion.color)))
+          : 1;
   double most_texture = 1;
   for (const Texture& texture : scene.textures) {
     for (const Color& c : texture.colors) most_texture = std::max(most_texture, most_of(vector_of(c)));
@@ -136,9 +146,10 @@ void find_bounds(const Scene& scene, FrozenOptics& out) {
       return vector_of(plain);
     };
     const V3<double> local =
-        vector_of(scene.ambient_light) * coefficient(Coefficient::ambient, m.ambient) +
-        light * (coefficient(Coefficient::diffuse, m.diffuse) +
-                 coefficient(Coefficient::specular, m.specular));
+        product(vector_of(scene.ambient_light) * most_occluded,
+                coefficient(Coefficient::ambient, m.ambient)) +
+        product(light, coefficient(Coefficient::diffuse, m.diffuse) +
+                           coefficient(Coefficient::specular, m.specular));
     out.most_local = std::max(out.most_local, most_of(local));
     out.most_shares =
         std::max(out.most_shares, most_of(coefficient(Coefficient::reflection, m.reflection) +
@@ -172,6 +183,7 @@ std::unique_ptr<StoredOptics> freeze_optics(const Scene& scene, const Profile& p
     stored->materials.push_back(freeze_material(m, frame));
     out.nested = out.nested || m.priority != 0;
     out.absorbing = out.absorbing || m.absorption != Color{};
+    out.dispersive = out.dispersive || m.dispersion.kind != Dispersion::Kind::none;
   }
   for (const Light& light : scene.lights) stored->lights.push_back(freeze_light(light, frame));
   out.materials = stored->materials.data();

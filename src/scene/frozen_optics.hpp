@@ -54,6 +54,7 @@ struct FrozenOptics {
   V3<double> occlusion_color;
   bool nested;     ///< some material has a priority: bodies know what they stand in
   bool absorbing;  ///< some material absorbs
+  bool dispersive;
   bool index_is_ratio;
   /// The most that a surface sends by itself, the sky's most, and the largest sum of the shares of
   /// a hit's children: what bounds any ray's radiance follows from them.

@@ -53,7 +53,7 @@ Bend bend_at(const Batch<R>& batch, std::size_t h, double cosine, double um) {
   const std::int32_t own = batch.scratch.material[h];
   const bool from_inside = batch.from_inside(h);
   Bend bend{1, 1, 1, 0, 0};
-  if (optics.nested && !optics.index_is_ratio) {
+  if (optics.nested && !optics.index_is_ratio && batch.hits[h].enclosing) {
     Inside with = batch.ray_of(h).inside, without = with;
     with.enter({batch.hits[h].body, own});
     without.leave(batch.hits[h].body);
@@ -100,7 +100,7 @@ class Spawner {
     }
     const auto at = static_cast<std::size_t>(next_.ray_count++);
     const double side = kind == RayKind::reflected ? 1 : -1;
-    const V3<double> origin = batch_.point(h) + batch_.normal(h) * (side * batch_.offset(h));
+    const V3<double> origin = batch_.point(h) + batch_.smooth_normal(h) * (side * batch_.offset(h));
     const V3<double> way = unit(direction);
     next_.rays.ox[at] = static_cast<R>(origin.x), next_.rays.oy[at] = static_cast<R>(origin.y);
     next_.rays.oz[at] = static_cast<R>(origin.z), next_.rays.dx[at] = static_cast<R>(way.x);
@@ -114,7 +114,8 @@ class Spawner {
     ray.wavelength = wavelength;
     ray.kind = kind;
     ray.inside = parent.inside;
-    if (kind == RayKind::refracted && (batch_.optics().nested || batch_.optics().absorbing)) {
+    if (kind == RayKind::refracted && hit.enclosing &&
+        (batch_.optics().nested || batch_.optics().absorbing)) {
       if (batch_.from_inside(h))
         ray.inside.leave(hit.body);
       else

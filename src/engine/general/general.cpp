@@ -20,6 +20,28 @@ bool is_loose_triangle(const FrozenScene<R>& scene, const HitPath& path) {
 }
 
 template <class R>
+bool has_inside(const FrozenScene<R>& scene, const HitPath& path) {
+  const auto& home =
+      path.group == nullptr ? scene : *static_cast<const FrozenScene<R>*>(path.group);
+  const auto is_in = [&](const auto& shapes) {
+    return path.slot >= shapes.first_slot && path.slot < shapes.first_slot + shapes.count;
+  };
+  if (is_in(home.spheres) || is_in(home.anchored_spheres)) return true;
+  if (is_in(home.triangles) || is_in(home.smooth_triangles)) return path.depth > 0;
+  if (!is_in(home.bodies)) return false;  // sides of cones and cylinders
+  const std::int32_t body = path.slot - home.bodies.first_slot;
+  switch (home.bodies.type[body]) {
+    case kTypeParallelogram:
+    case kTypeDisc:
+      return false;
+    case kTypeFrustum:  // its last number says whether it has caps
+      return home.bodies.numbers[home.bodies.start[body] + kBodyNumbers + 2] > 0;
+    default:
+      return true;
+  }
+}
+
+template <class R>
 std::uint64_t body_of(const FrozenScene<R>& scene, const HitPath& path, std::int32_t material) {
   std::uint64_t key = 0;
   const auto mix = [&](std::int32_t more) {
@@ -94,6 +116,7 @@ bool passes_unseen(const Batch<R>& batch, const HitState<R>& hit, std::size_t h,
   const OpticalMaterial* const materials = batch.optics().materials;
   const OpticalMaterial& material = batch.material(h);
   if (is_zero(material.k2) && !material.textured_k2) return false;  // nothing goes in there
+  if (!has_inside(batch.scene, batch.scratch.paths[h])) return false;
   Inside with = inside, without = inside;
   with.enter({hit.body, batch.scratch.material[h]});
   without.leave(hit.body);
@@ -190,12 +213,13 @@ void find_hits(const Batch<R>& batch) {
     hit = {};
     hit.body = body;
     hit.material = batch.scratch.material[h];
+    hit.enclosing = has_inside(batch.scene, batch.scratch.paths[h]);
     hit.medium = -1;
     hit.transmittance = {R(1), R(1), R(1)};
     if (!batch.optics().absorbing && !batch.optics().nested) continue;
     RayState<R>& ray = batch.ray_of(h);
     // What a ray leaves it has been inside of, whether or not it is known how it came in.
-    if (batch.from_inside(h) && !(is_zero(batch.material(h).k2) && !batch.material(h).textured_k2))
+    if (hit.enclosing && batch.from_inside(h) && !(is_zero(batch.material(h).k2) && !batch.material(h).textured_k2))
       ray.inside.enter({body, batch.scratch.material[h]});
     hit.medium = medium_of(ray.inside, batch.optics().materials);
     if (hit.medium < 0 || !batch.optics().materials[hit.medium].absorbs()) continue;
@@ -217,7 +241,7 @@ void fold(const Batch<R>& batch, const Level<R>* next, const RayState<R>* next_r
       for (std::int32_t c = hit.first_child; c < hit.first_child + hit.child_count; ++c) {
         const V3<R> brought{next->rays.r[c], next->rays.g[c], next->rays.b[c]};
         color = color + next_rays[c].share * brought;
-        cut += most_of(next_rays[c].share) * next_rays[c].cut;
+        cut += most_size(next_rays[c].share) * next_rays[c].cut;
       }
     hit.sum = color;
     if (batch.settings.clamp_levels) {
@@ -248,6 +272,43 @@ void trace_batch(const Batch<R>& batch, std::int32_t size, Level<R>* next, RaySt
     batch.general.listener->at_children(level, *next, batch.general);
 }
 
+/// The bodies that the eye is inside of: those that a ray from there leaves before it comes in.
+template <class R>
+Inside inside_of_eye(const FrozenScene<R>& scene, const Services<R>& services,
+                     GeneralWorkspace<R>& general) {
+  constexpr int kMostSurfaces = 1000;
+  Inside inside;
+  if (!scene.optics->nested && !scene.optics->absorbing) return inside;
+  Level<R>& level = general.through;
+  Scratch<R>& scratch = general.through_scratch;
+  const V3<double> way = unit({0.3511, 0.7413, 0.5719});  // along no axis
+  V3<R> from = scene.camera.eye;
+  std::vector<std::uint64_t> met;
+  for (int surface = 0; surface < kMostSurfaces; ++surface) {
+    level.rays.ox[0] = from.x, level.rays.oy[0] = from.y, level.rays.oz[0] = from.z;
+    level.rays.dx[0] = static_cast<R>(way.x), level.rays.dy[0] = static_cast<R>(way.y);
+    level.rays.dz[0] = static_cast<R>(way.z);
+    level.ray_count = level.in_batch = 1;
+    level.done = 0;
+    services.find_hits(scene, level, scratch);
+    if (level.hit_count == 0) break;
+    const std::int32_t material = scratch.material[0];
+    const std::uint64_t body = body_of(scene, scratch.paths[0], material);
+    const bool known = std::find(met.begin(), met.end(), body) != met.end();
+    const OpticalMaterial& m = scene.optics->materials[material];
+    if (!known && scratch.inside[0] > R(0) && has_inside(scene, scratch.paths[0]) &&
+        !(is_zero(m.k2) && !m.textured_k2))
+      inside.enter({body, material});
+    met.push_back(body);
+    from = narrowed<R>(three(scratch.px, scratch.py, scratch.pz, 0) -
+                       three(scratch.nx, scratch.ny, scratch.nz, 0) *
+                           static_cast<double>(scratch.offset[0]));
+  }
+  // The outermost is left last: it has been entered first.
+  std::reverse(inside.list, inside.list + inside.count);
+  return inside;
+}
+
 }  // namespace
 
 int most_children(const TraceSettings& settings) {
@@ -258,6 +319,10 @@ template <class R>
 void trace_rays(const FrozenScene<R>& scene, const TraceSettings& settings,
                 const Services<R>& services, Workspace<R>& workspace, GeneralWorkspace<R>& general,
                 RayCounts& counts) {
+  if (!general.knows_eye) {
+    general.at_eye = inside_of_eye(scene, services, general);
+    general.knows_eye = true;
+  }
   Level<R>& top = workspace.levels[0];
   top.done = 0;
   counts.camera += static_cast<std::uint64_t>(top.ray_count);
@@ -303,6 +368,7 @@ void trace_rays(const FrozenScene<R>& scene, const TraceSettings& settings,
 
 #define ZRAKA_FOR(R)                                                                          \
   template bool is_loose_triangle(const FrozenScene<R>&, const HitPath&);                     \
+  template bool has_inside(const FrozenScene<R>&, const HitPath&);                            \
   template std::uint64_t body_of(const FrozenScene<R>&, const HitPath&, std::int32_t);        \
   template void trace_rays(const FrozenScene<R>&, const TraceSettings&, const Services<R>&,   \
                            Workspace<R>&, GeneralWorkspace<R>&, RayCounts&);

@@ -65,6 +65,7 @@ struct HitState {
   V3<R> missing;        ///< per channel, at most: the shares of children not traced, times their most
   std::int32_t first_child, child_count;
   std::uint64_t body;
+  bool enclosing;  ///< has an inside that rays can be in
   // For explanations.
   V3<R> sum;              ///< local light and children, before clamping and transmittance
   std::int32_t material;
@@ -92,7 +93,7 @@ struct LightSum {
 template <class R>
 struct Passed {
   std::int32_t hit, sample;
-  std::int32_t slot;
+  std::int32_t slot;  ///< -1: none, it is the light itself that is reached
   const HitPath* path;
   double distance;      ///< from the hit to where it is met
   V3<R> share;          ///< k2; 0 stops it
@@ -144,7 +145,8 @@ struct GeneralWorkspace {
   Scratch<R> through_scratch;
   std::int32_t room;        ///< for rays on their way through
   std::size_t shadow_room;  ///< for what waits
-  Inside at_eye;      ///< what the eye is inside of
+  Inside at_eye;          ///< what the eye is inside of
+  bool knows_eye = false;
   Listener<R>* listener = nullptr;
 };
 

@@ -104,6 +104,26 @@ struct Walk {
   std::vector<std::uint64_t> passed;
 };
 
+/// The last stretch, to the light itself, may be inside of what absorbs.
+template <class R>
+void finish(const Batch<R>& batch, const Walk& walk, V3<R>& filter) {
+  if (!batch.optics().absorbing || !may_be_passed(batch) || !(walk.left < kFarthest / 2)) return;
+  const OpticalMaterial* const materials = batch.optics().materials;
+  const std::int32_t medium = medium_of(walk.inside, materials);
+  if (medium < 0 || !materials[medium].absorbs()) return;
+  const V3<R> left = narrowed<R>(transmittance_of(materials[medium].absorption, walk.left));
+  filter = filter * left;
+  if (batch.general.listener != nullptr)
+    batch.general.listener->at_passed({batch.general.waiting[walk.entry].hit,
+                                       batch.general.waiting[walk.entry].sample,
+                                       -1,
+                                       nullptr,
+                                       walk.walked + walk.left,
+                                       {R(1), R(1), R(1)},
+                                       walk.left,
+                                       left});
+}
+
 /// What bodies on the way leave of the light, in the order of distance: each body takes its share
 /// once, and what absorbs by the length inside (sheet 8.4).
 template <class R>
@@ -137,11 +157,13 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
       for (std::int32_t h = 0; h < level.hit_count; ++h) hit_of[level.hits.ray[h]] = h;
       for (std::size_t i = 0; i < n; ++i) {
         Walk& walk = walks[first + i];
-        if (hit_of[i] < 0) continue;
-        const auto h = static_cast<std::size_t>(hit_of[i]);
-        const auto t = static_cast<double>(scratch.t[i]);
-        if (!(t < walk.left)) continue;
         V3<R>& filter = general.filter[walk.entry];
+        const auto t = hit_of[i] < 0 ? kFarthest : static_cast<double>(scratch.t[i]);
+        if (!(t < walk.left)) {
+          finish(batch, walk, filter);
+          continue;
+        }
+        const auto h = static_cast<std::size_t>(hit_of[i]);
         const OpticalMaterial& material = materials[scratch.material[h]];
         const R* const row = scratch.coefficients + std::ptrdiff_t{scratch.row[h]} * kMaterialReals;
         const bool leaves = scratch.inside[h] > R(0);
@@ -157,7 +179,8 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
                          0,
                          {R(1), R(1), R(1)}};
         // What it has come through.
-        if (leaves && !is_zero(share)) walk.inside.enter({body, scratch.material[h]});
+        const bool encloses = has_inside(batch.scene, scratch.paths[h]);
+        if (encloses && leaves && !is_zero(share)) walk.inside.enter({body, scratch.material[h]});
         if (batch.optics().absorbing) {
           const std::int32_t medium = medium_of(walk.inside, materials);
           if (medium >= 0 && materials[medium].absorbs()) {
@@ -169,7 +192,7 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
         const bool known =
             std::find(walk.passed.begin(), walk.passed.end(), body) != walk.passed.end();
         const bool loose = is_loose_triangle(batch.scene, scratch.paths[h]);
-        if (!known) {
+        if (!known || is_zero(share)) {  // what is opaque stops it, wherever in a body
           filter = filter * share;
           walk.passed.push_back(body);
         } else {
@@ -185,7 +208,7 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
         if (is_zero(filter)) continue;
         if (leaves)
           walk.inside.leave(body);
-        else
+        else if (encloses)
           walk.inside.enter({body, scratch.material[h]});
         const V3<double> normal = three(scratch.nx, scratch.ny, scratch.nz, h);
         walk.origin = three(scratch.px, scratch.py, scratch.pz, h) -
@@ -225,6 +248,15 @@ void order_by_direction(GeneralWorkspace<R>& general) {
         static_cast<std::int32_t>(i);
 }
 
+/// Whether a shadow ray begins inside of what absorbs.
+template <class R>
+bool starts_in_absorber(const Batch<R>& batch, std::size_t entry) {
+  if (!batch.optics().absorbing || !may_be_passed(batch)) return false;
+  const auto hit = static_cast<std::size_t>(batch.general.waiting[entry].hit);
+  const std::int32_t medium = medium_of(batch.ray_of(hit).inside, batch.optics().materials);
+  return medium >= 0 && batch.optics().materials[medium].absorbs();
+}
+
 /// What shadows leave of all that wait: general.filter.
 template <class R>
 void trace_waiting(const Batch<R>& batch) {
@@ -245,8 +277,8 @@ void trace_waiting(const Batch<R>& batch) {
   batch.services.find_blocked(batch.scene, n, scratch);
   std::vector<Walk> walks;
   for (std::size_t i = 0; i < n; ++i) {
-    if (scratch.blocked[i] == 0) continue;
     const auto entry = static_cast<std::size_t>(general.order[i]);
+    if (scratch.blocked[i] == 0 && !starts_in_absorber(batch, entry)) continue;
     if (!may_be_passed(batch)) {
       general.filter[entry] = {R(0), R(0), R(0)};
       // Whoever explains wants to know what the light is blocked by.
@@ -270,7 +302,7 @@ void trace_waiting(const Batch<R>& batch) {
 /// Where the shadow rays of a hit begin.
 template <class R>
 V3<R> shadow_origin(const Batch<R>& batch, std::size_t h) {
-  return narrowed<R>(batch.point(h) + batch.normal(h) * batch.offset(h));
+  return narrowed<R>(batch.point(h) + batch.smooth_normal(h) * batch.offset(h));
 }
 
 /// cosine^n; what is below 2^-40 is nothing: ln x ≤ x - 1.
@@ -396,7 +428,7 @@ void find_occlusion(const Batch<R>& batch) {
     const Sobol2 points(hash(ray.key, 0xA0u));
     const std::int32_t samples = general.samples[h] = samples_for(optics.occlusion_samples, ray);
     V3<double> a{}, b{};
-    const V3<double> normal = batch.normal(h);
+    const V3<double> normal = batch.smooth_normal(h);
     const V3<R> origin = shadow_origin(batch, h);
     basis_of(normal, a, b);
     for (std::int32_t s = 0; s < samples; ++s) {
@@ -434,7 +466,10 @@ void light_hits(const Batch<R>& batch) {
     if (terms.ambient && !terms.silhouette) {
       const R* const row = batch.row(h);
       local = batch.scene.ambient_light * V3<R>{row[kAmbient], row[kAmbient + 1], row[kAmbient + 2]};
-      if (occluded) local = local * general.occlusion[h];
+      if (occluded)
+        local = local * general.occlusion[h];
+      else if (batch.optics().occlusion_samples > 0)
+        local = local * narrowed<R>(batch.optics().occlusion_color);
     }
     HitArrays<R>& hits = batch.level.hits;
     hits.r[h] = local.x, hits.g[h] = local.y, hits.b[h] = local.z;

@@ -25,6 +25,11 @@ T most_of(const V3<T>& v) {
   const T more = v.x > v.y ? v.x : v.y;
   return more > v.z ? more : v.z;
 }
+/// The same of the magnitudes: parts of split light may be below 0.
+template <class T>
+T most_size(const V3<T>& v) {
+  return most_of(V3<T>{std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
 inline V3<double> unit(const V3<double>& v) {
   return v * (1 / std::sqrt(dot(v, v)));
 }
@@ -54,6 +59,13 @@ struct Batch {
   V3<double> point(std::size_t h) const { return three(scratch.px, scratch.py, scratch.pz, h); }
   V3<double> normal(std::size_t h) const { return three(scratch.nx, scratch.ny, scratch.nz, h); }
   V3<double> view(std::size_t h) const { return three(scratch.vx, scratch.vy, scratch.vz, h); }
+  /// The normal before a texture bends it, on the viewer's side: rays leave the surface along it.
+  V3<double> smooth_normal(std::size_t h) const {
+    if (scene.textures == nullptr || scratch.smooth_x == nullptr ||
+        scene.textures->of_material[scratch.material[h]].normals.kind == NormalUse::Kind::none)
+      return normal(h);
+    return three(scratch.smooth_x, scratch.smooth_y, scratch.smooth_z, h);
+  }
   double offset(std::size_t h) const { return static_cast<double>(scratch.offset[h]); }
   bool from_inside(std::size_t h) const { return scratch.inside[h] > R(0); }
 };
@@ -62,6 +74,11 @@ struct Batch {
 /// one material in a group, which are one mesh.
 template <class R>
 std::uint64_t body_of(const FrozenScene<R>& scene, const HitPath& path, std::int32_t material);
+
+/// Whether what has been hit has an inside that rays can be in: closed bodies, half-spaces, and
+/// triangles of a group, which are a mesh. Sheets have none, and loose triangles are sheets.
+template <class R>
+bool has_inside(const FrozenScene<R>& scene, const HitPath& path);
 
 /// Triangles that are no part of a group, which may be sheets or make a body together.
 template <class R>

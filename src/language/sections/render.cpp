@@ -52,7 +52,7 @@ constexpr Field kAdaptiveFields[] = {
         {.text = "the fewest and the most", .range = from_to(1, kMaxSamples), .required = true}),
     field<&Adaptive::contrast>("contrast", {.text = "the difference between samples or neighbours "
                                                     "above which there are more",
-                                            .range = at_least(0)}),
+                                            .range = from_to(0, 1)}),
 };
 constexpr Table kAdaptive =
     table_of<Adaptive>("adaptive", "More where the picture needs them.", kAdaptiveFields);
