@@ -218,7 +218,7 @@ TEST(Convert, SaysWhatInputTxtLosesAndCannotSay) {
   Scene parallel = scene;
   parallel.camera.kind = CameraKind::orthographic;
   EXPECT_EQ(losses(parallel, "nff"),
-            "error: NFF cannot say what kind of camera this scene has: it knows the pinhole\n");
+            "error: NFF cannot say what this scene's camera is: it knows pinholes alone\n");
   EXPECT_EQ(losses(scene, "lab"),
             "warning: lost in input.txt: the profile\n"
             "warning: lost in input.txt: the depth of rays\n");

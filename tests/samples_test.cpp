@@ -7,6 +7,7 @@
 #include <cstring>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 #include <zraka/explain.hpp>
 #include <zraka/render.hpp>
@@ -188,6 +189,19 @@ TEST(Grid, OfAHalfCoveredPixelIsTheExactFraction) {
   }
 }
 
+TEST(Grid, LooksThroughTheMiddlesOfItsSquares) {
+  RenderOptions options;
+  options.sampling = {.kind = Sampling::Kind::grid, .count = 8};
+  for (const auto& [covered, want] : {std::pair{3.45, 3.0f}, {3.55, 4.0f}}) {
+    EXPECT_EQ(render(half_plane(covered / 8, 4, 2), options).value().image.row(0)[3 * 2], want / 8);
+    // The same edge from above.
+    Scene turned = half_plane(covered / 8, 4, 4);
+    turned.camera.window_right = {0, -4, 0};
+    turned.camera.window_up = {-4, 0, 0};
+    EXPECT_EQ(render(turned, options).value().image.row(2)[0], want / 8);
+  }
+}
+
 TEST(Filters, BlurAnEdgeAsTheirIntegralHasIt) {
   // The edge is in the middle, between two pixels: pixel k to its right has what of the filter lies
   // to the left of -k - 1/2.
@@ -247,6 +261,34 @@ TEST(Adaptive, SpendsItsSamplesAtEdges) {
   // Where all may differ, none has more.
   options.sampling = adaptive(4, 64, 1);
   EXPECT_EQ(render(scene, options)->stats.samples_per_pixel, 4);
+}
+
+/// Stripes of half a pixel, from the left edge of each: all pixels have the same mean.
+Scene stripes(double color) {
+  Scene scene = half_plane(-500, 8, 4);
+  scene.triangles.clear();
+  scene.materials[0].ambient = {color, color, color};
+  for (int x = -4; x < 4; ++x)
+    scene.triangles.push_back({{{x + 0.0, -90, 0}, {x + 0.5, -90, 0}, {x + 0.25, 1e6, 0}}, 0});
+  return scene;
+}
+
+TEST(Adaptive, SeesWhatNeighboursHaveInCommonByTheSamples) {
+  RenderOptions options;
+  options.sampling = adaptive(4, 32);
+  EXPECT_EQ(render(stripes(1), options)->stats.samples_per_pixel, 32);
+  options.sampling.contrast = 0.5;
+  EXPECT_EQ(render(stripes(0.4), options)->stats.samples_per_pixel, 4);
+}
+
+TEST(Adaptive, ComparesColoursAsTheyAreShown) {
+  Scene scene = stripes(7);
+  scene.background = {3, 3, 3};
+  RenderOptions options;
+  options.sampling = adaptive(4, 32);
+  EXPECT_EQ(render(scene, options)->stats.samples_per_pixel, 4) << "both are white";
+  scene.background = {0.5, 3, 3};
+  EXPECT_EQ(render(scene, options)->stats.samples_per_pixel, 32);
 }
 
 TEST(Adaptive, StopsAtAnyGreatestNumber) {

@@ -185,6 +185,9 @@ TEST(ScreenBounds, OfParallelRaysAreABoxAndAPixelMore) {
   // x from 1 to 3: columns 60 to 80; y from 0 to 2: rows 30 to 50.
   const TileRect part = ScreenBounds(prepared.store->scene, 100, 100).part_of({0, 0, 100, 100});
   expect_rect(part, {59, 29, 23, 23});
+  // Samples reach farther.
+  expect_rect(ScreenBounds(prepared.store->scene, 100, 100, 2).part_of({0, 0, 100, 100}),
+              {57, 27, 27, 27});
   // Behind the eye.
   scene.spheres[0].shape.center.z = 3;
   const auto behind = prepare<float>(scene, RenderOptions{.profile = profile_of(ProfileName::lab)});
@@ -236,6 +239,17 @@ TEST(ScreenBounds, AreABoxAsItIsSeenAndAPixelMore) {
   const std::vector<Sphere> sphere = {{{1.8, 0, -3.9}, 0.9}};
   expect_rect(part_with(sphere), {59, 34, 38, 33});
   expect_rect(part_with(sphere, {48, 48, 30, 30}), {59, 48, 19, 19});
+}
+
+TEST(ScreenBounds, GrowByWhatFiltersReach) {
+  Scene scene = lab_scene();
+  scene.camera.eye = {0, 0, 0};
+  scene.camera.window_center = {0, 0, -1};
+  scene.materials = {{}};
+  scene.spheres.push_back({{{1.8, 0, -3.9}, 0.9}, 0});
+  const auto prepared = prepare<float>(scene, RenderOptions{.profile = profile_of(ProfileName::lab)});
+  expect_rect(ScreenBounds(prepared.store->scene, 100, 100, 2).part_of({0, 0, 100, 100}),
+              {57, 32, 42, 37});
 }
 
 TEST(ScreenBounds, AreNothingBehindTheEyeAndAllAroundIt) {
