@@ -81,7 +81,7 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
   explanation.brightest = stand.settings.brightest;
   explanation.wavelengths = stand.settings.wavelengths.count;
   explanation.transparent_shadows = stand.settings.transparent_shadows;
-  const std::uint32_t corners = stand.plain() && stand.options.profile.average_corners ? 2 : 1;
+  const std::uint32_t corners = has_corners(stand.frozen(), stand.options) ? 2 : 1;
   for (std::uint32_t j = 0; j < corners; ++j)
     for (std::uint32_t i = 0; i < corners; ++i) {
       Result<RayTree> tree = read_tree(stand, stand.settings, x + i, y + j, sample);

@@ -127,7 +127,7 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   const FrozenScene<R>& frozen = prepared.store->scene;
   const TraceSettings settings = settings_of(options, prepared, variation);
   const bool plain = is_plain(frozen, options.sampling) && !options.transparent;
-  const bool corners = plain && options.profile.average_corners;
+  const bool corners = has_corners(frozen, options);
   PictureJob<R> job{frozen, kernel, settings, options, resolution, part_of(options, resolution),
                     tile,   threads};
   if (corners) ++job.part.width, ++job.part.height;

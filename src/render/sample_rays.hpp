@@ -48,4 +48,11 @@ bool is_plain(const FrozenScene<R>& scene, const Sampling& sampling) {
   return scene.camera.is_plain() && scene.optics == nullptr && sampling.is_single();
 }
 
+/// Whether each pixel is the mean of the rays through its corners.
+template <class R>
+bool has_corners(const FrozenScene<R>& scene, const RenderOptions& options) {
+  return options.profile.average_corners && scene.camera.is_plain() &&
+         options.sampling.is_single() && !options.transparent;
+}
+
 }  // namespace zraka
