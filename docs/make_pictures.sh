@@ -60,7 +60,7 @@ write_thresholds() {
   {
     echo '| scene | t | reflected and refracted rays | saved | a pixel lacks at most | largest error | mean error |'
     echo '|---|--:|--:|--:|--:|--:|--:|'
-    for scene in lab/input.txt lab/bubble.txt lab/mirrors.toml; do
+    for scene in lab/input.txt lab/bubble.txt lab/tinted.toml; do
       name=$(basename "$scene")
       all=
       for t in 0 1/1024 1/255 1/64; do

@@ -5,7 +5,7 @@
 # of the scenes in scenes/, whose files check finds no fault with.
 . "$(dirname "$0")/helpers.sh"
 
-cp -r docs "$folder/docs"
+cp -r docs scenes "$folder/"
 docs=$folder/docs
 pages="shapes textures lights glass depth"
 folders="shapes lights glass"
