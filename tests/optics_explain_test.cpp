@@ -192,21 +192,24 @@ TEST(ExplainedOptics, SplitRaysAreAllWavelengths) {
 }
 
 TEST(ExplainedOptics, BoundWhatIsNotTraced) {
-  const OpticsCase one = optics_case("cut");
+  OpticsCase one = optics_case("cut");
   std::size_t cut = 0, parts = 0;
-  each_hit(one.scene, one.options, [&](const Explanation& e, const RayTree&, const ExplainedRay&,
-                                       const ExplainedHit& hit) {
-    for (const Child* child : {&hit.reflected, &hit.refracted}) {
-      EXPECT_EQ(child->bound.has_value(), child->absence == Absence::contribution);
-      if (!child->bound) continue;
-      EXPECT_GT(*child->bound, 0);
-      if (child == &hit.reflected || !hit.snell->nm) {
-        EXPECT_LT(*child->bound, e.min_contribution);
+  for (const double threshold : {0.1, 0.4, 1.0, 2.5}) {
+    one.options.min_contribution = threshold;
+    each_hit(one.scene, one.options, [&](const Explanation& e, const RayTree&, const ExplainedRay&,
+                                         const ExplainedHit& hit) {
+      for (const Child* child : {&hit.reflected, &hit.refracted}) {
+        EXPECT_EQ(child->bound.has_value(), child->absence == Absence::contribution);
+        if (!child->bound) continue;
+        EXPECT_GT(*child->bound, 0);
+        if (child == &hit.reflected || !hit.snell->nm) {
+          EXPECT_LT(*child->bound, e.min_contribution);
+        }
+        ++cut;
+        parts += child == &hit.refracted && !hit.split.empty();
       }
-      ++cut;
-      parts += child == &hit.refracted && !hit.split.empty();
-    }
-  });
+    });
+  }
   EXPECT_GT(cut, 50u);
   EXPECT_GT(parts, 0u);
 }

@@ -227,6 +227,18 @@ TEST(AmbientOcclusion, IsOneUnderAnOpenSkyAndHalfAtAWall) {
   EXPECT_EQ(middle(rendered(scene))[0], 1);
 }
 
+/// Bumps bend light, but not the way that the sky is seen.
+TEST(AmbientOcclusion, IsOneOnBumpsUnderAnOpenSky) {
+  Scene scene = narrow_scene({.ambient = {1, 1, 1}, .diffuse = {}});
+  scene.camera = {{0, 0, 10}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  scene.ambient_occlusion.samples = 64;
+  scene.textures.push_back({.kind = TextureKind::noise, .size = 0.3});
+  scene.materials[0].normals = {NormalUse::Kind::bump, 0, 0.3};
+  add_wall(scene, 0, 1000, 0);
+  const Image image = rendered(scene);
+  for (const float v : image.pixels) EXPECT_EQ(v, 1);
+}
+
 TEST(TransparentShadows, AreProductsOverBodiesOnceEach) {
   Scene scene = narrow_scene({.ambient = {}, .diffuse = {1, 1, 1}});
   scene.materials.push_back({.ambient = {}, .diffuse = {}, .refraction = Color{0.5, 0.25, 1}});

@@ -430,7 +430,7 @@ TEST(Explainer, TellsOfSamplesThatAddUpToThePixel) {
         EXPECT_EQ(static_cast<float>(sums[c] / 4), image.row(18)[3 * x + static_cast<unsigned>(c)])
             << view.name;
     }
-    EXPECT_EQ(explainer.pixel(0, 0, 4).error().front().message, "sample 4 is out of range: 0 to 3");
+    EXPECT_EQ(explainer.pixel(0, 0, 4).error().front().message, "a pixel of this picture has 4 samples at most");
     EXPECT_EQ(explainer.around(25, 18, 9).image.row(4)[3 * 4], image.row(18)[3 * 25]) << view.name;
   }
 }

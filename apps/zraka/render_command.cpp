@@ -229,7 +229,10 @@ void add_render(Command& program) {
       "  zraka render scene.toml -o part.png --samples 16 --crop 100,80,64,64\n"
       "  zraka render input.txt -o cut-out.png --transparent\n"
       "  zraka render input.txt -o layers.exr --transparent --layers depth,normal,object-id");
-  app.check([arguments] { return problem_of(*arguments); });
+  app.check([arguments] {
+    const std::string problem = arguments->sampling.problem();
+    return problem.empty() ? problem_of(*arguments) : problem;
+  });
   app.action([arguments] { return run(*arguments); });
 }
 

@@ -102,6 +102,22 @@ bool render_tiles(const PictureJob<R>& job, Rendering& rendering) {
   return complete;
 }
 
+/// The same of the alpha that a transparent picture has.
+void average_corners(Layers& layers) {
+  for (Channel& channel : layers.channels) {
+    auto* const corners = std::get_if<std::vector<float>>(&channel.values);
+    if (corners == nullptr) continue;
+    std::vector<float> means;
+    for (std::size_t y = 0; y + 1 < layers.height; ++y)
+      for (std::size_t x = 0; x + 1 < layers.width; ++x) {
+        const float* const at = corners->data() + layers.width * y + x;
+        means.push_back(mean_of_corners(at[0], at[1], at[layers.width], at[layers.width + 1]));
+      }
+    *corners = std::move(means);
+  }
+  if (!layers.channels.empty()) --layers.width, --layers.height;
+}
+
 /// The part of the picture that is asked for.
 TileRect part_of(const RenderOptions& options, const Resolution& resolution) {
   const PixelRect all{0, 0, resolution.width, resolution.height};
@@ -136,7 +152,10 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
                           static_cast<std::uint32_t>(job.part.height));
   const auto traced = std::chrono::steady_clock::now();
   bool complete = plain ? render_tiles(job, rendering) : render_samples(job, rendering);
-  if (complete && corners) rendering.image = means_of_corners(std::move(rendering.image));
+  if (complete && corners) {
+    rendering.image = means_of_corners(std::move(rendering.image));
+    average_corners(rendering.layers);
+  }
   complete = complete && make_layers<R>({&scene, prepared, job}, rendering);
   rendering.stats.render_seconds = seconds_since(traced);
   return complete;

@@ -52,7 +52,7 @@ bool is_plain(const FrozenScene<R>& scene, const Sampling& sampling) {
 template <class R>
 bool has_corners(const FrozenScene<R>& scene, const RenderOptions& options) {
   return options.profile.average_corners && scene.camera.is_plain() &&
-         options.sampling.is_single() && !options.transparent;
+         options.sampling.is_single();
 }
 
 }  // namespace zraka

@@ -25,7 +25,8 @@ struct TracerMemory {
       : memory({.batch = batch,
                 .max_depth = settings.max_depth,
                 .textured = scene.textures != nullptr,
-                .recorded = recorded,
+                // Rays leave bumps along the normal before it was bent.
+                .recorded = recorded || (scene.optics != nullptr && scene.textures != nullptr),
                 .general = scene.optics != nullptr,
                 .shadow_rays = scene.optics == nullptr ? 0 : kWaitingShadowRays,
                 .children = scene.optics == nullptr ? 2 : general::most_children(settings)}) {

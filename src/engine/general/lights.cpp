@@ -311,6 +311,35 @@ double highlight_of(double cosine, double shininess) {
   return elementary::pow(std::fmin(cosine, 1.0), shininess);
 }
 
+/// R·V, or N·H.
+template <class R>
+double highlight_cosine(const Batch<R>& batch, std::size_t h, const V3<double>& to_light) {
+  const V3<double> n = batch.normal(h), v = batch.view(h);
+  if (batch.material(h).highlight == Highlight::phong)
+    return dot(n * (2 * dot(n, to_light)) - to_light, v);
+  const V3<double> half = to_light + v;
+  const double length = std::sqrt(dot(half, half));
+  return length > 0 ? dot(n, half) / length : 0;
+}
+
+/// Whether light from there adds anything, if it arrives: clear glass shines where it mirrors the
+/// light, and nowhere else.
+template <class R>
+bool counts(const Batch<R>& batch, std::size_t h, const V3<double>& to_light, double l_n) {
+  const R* const row = batch.row(h);
+  const auto is_dark = [&](int column) {
+    return row[column] == R(0) && row[column + 1] == R(0) && row[column + 2] == R(0);
+  };
+  if (batch.settings.terms.diffuse && !is_dark(kDiffuse) && l_n > 0) return true;
+  if (!batch.settings.terms.specular || is_dark(kSpecular)) return false;
+  // As it is computed later, from the direction in the engine's own numbers.
+  const V3<R> own = narrowed<R>(to_light);
+  const double cosine = highlight_cosine(
+      batch, h,
+      {static_cast<double>(own.x), static_cast<double>(own.y), static_cast<double>(own.z)});
+  return cosine >= 0 && highlight_of(cosine, static_cast<double>(row[kShininess])) > 0;
+}
+
 /// Adds what has arrived of one light to the sums of its hits.
 template <class R>
 void settle_light(const Batch<R>& batch) {
@@ -331,18 +360,10 @@ void settle_light(const Batch<R>& batch) {
                                       one.l_n;
     const V3<R> ks{row[kSpecular], row[kSpecular + 1], row[kSpecular + 2]};
     if (!batch.settings.terms.specular || is_zero(ks)) continue;
-    const V3<double> n = batch.normal(h), v = batch.view(h);
-    const V3<double> to_light{static_cast<double>(one.direction.x),
-                              static_cast<double>(one.direction.y),
-                              static_cast<double>(one.direction.z)};
-    double cosine = 0;
-    if (batch.material(h).highlight == Highlight::blinn) {
-      const V3<double> half = to_light + v;
-      const double length = std::sqrt(dot(half, half));
-      cosine = length > 0 ? dot(n, half) / length : 0;
-    } else {
-      cosine = dot(n * (2 * dot(n, to_light)) - to_light, v);
-    }
+    const double cosine =
+        highlight_cosine(batch, h,
+                         {static_cast<double>(one.direction.x), static_cast<double>(one.direction.y),
+                          static_cast<double>(one.direction.z)});
     if (!(cosine >= 0)) {
       if (one.sample == 0) sum.cosine = cosine;
       continue;
@@ -384,6 +405,8 @@ void add_light(const Batch<R>& batch, std::int32_t index) {
       if (!(l_n >= 0)) continue;
       ++sum.facing;
       if (is_zero(radiance)) continue;
+      // Whoever explains wants to know of all of them.
+      if (general.listener == nullptr && !counts(batch, h, arrives.to_light, l_n)) continue;
       general.waiting.push_back(
           {static_cast<std::int32_t>(h), s, origin, narrowed<R>(arrives.to_light),
            static_cast<R>(std::fmin(arrives.distance, kFarthest)), static_cast<R>(l_n), radiance});
