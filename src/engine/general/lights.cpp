@@ -154,7 +154,7 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
       take_coefficients(batch.scene, level, scratch);
       // In the order of the shadow rays, whatever the order of what they hit.
       std::vector<std::int32_t> hit_of(n, -1);
-      for (std::int32_t h = 0; h < level.hit_count; ++h) hit_of[level.hits.ray[h]] = h;
+      for (std::int32_t h = 0; h < level.hit_count; ++h) hit_of[static_cast<std::size_t>(level.hits.ray[h])] = h;
       for (std::size_t i = 0; i < n; ++i) {
         Walk& walk = walks[first + i];
         V3<R>& filter = general.filter[walk.entry];
