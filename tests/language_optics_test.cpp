@@ -20,7 +20,7 @@ std::string first(const std::string& keys) {
 
 TEST(LanguageOptics, HasSharesPerChannel) {
   const Material m = material_of("reflection = [1, 0.5, 0]\nrefraction = \"#ffffff\"\n");
-  EXPECT_EQ(m.reflection, (Color{1, 0.5, 0}));
+  EXPECT_EQ(m.reflection, Share(Color{1, 0.5, 0}));
   EXPECT_EQ(m.refraction, Share(1));
   EXPECT_EQ(material_of("reflection = 0.25\n").reflection, Share(0.25));
   const std::string written =

@@ -124,7 +124,7 @@ inline std::vector<OpticsCase> optics_cases() {
     o.profile = profile_of(ProfileName::lab);
   });
   add("textures", [](Scene& s, RenderOptions& o) {
-    s.textures.push_back({.kind = TextureKind::checker});
+    s.textures.emplace_back();
     s.textures[0].colors = {{0.9, 0.9, 0.9}, {0.2, 0.3, 0.1}};
     s.materials[0].textures = {{Coefficient::ambient, 0}, {Coefficient::diffuse, 0}};
     s.materials[1].textures = {{Coefficient::refraction, 0}};

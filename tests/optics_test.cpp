@@ -232,7 +232,9 @@ TEST(AmbientOcclusion, IsOneOnBumpsUnderAnOpenSky) {
   Scene scene = narrow_scene({.ambient = {1, 1, 1}, .diffuse = {}});
   scene.camera = {{0, 0, 10}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
   scene.ambient_occlusion.samples = 64;
-  scene.textures.push_back({.kind = TextureKind::noise, .size = 0.3});
+  scene.textures.emplace_back();
+  scene.textures[0].kind = TextureKind::noise;
+  scene.textures[0].size = 0.3;
   scene.materials[0].normals = {NormalUse::Kind::bump, 0, 0.3};
   add_wall(scene, 0, 1000, 0);
   const Image image = rendered(scene);
