@@ -142,8 +142,8 @@ TEST(ExplainedOptics, FiltersAreTheProductsOfWhatIsPassed) {
       EXPECT_EQ(at.blocker.has_value(), at.reach == Reach::blocked);
     }
   });
-  EXPECT_GT(passed, 5u);
-  EXPECT_GT(stopped, 5u);
+  EXPECT_GT(passed, 2u);
+  EXPECT_GT(stopped, 2u);
 }
 
 TEST(ExplainedOptics, SharesAreFresnels) {
