@@ -7,6 +7,7 @@
 #include <ImfInputFile.h>
 #include <ImfStringAttribute.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <bit>
 #include <cmath>
@@ -14,6 +15,7 @@
 #include <fstream>
 #include <limits>
 #include <random>
+#include <string>
 #include <zraka/image.hpp>
 #include <zraka/write_image.hpp>
 
@@ -48,7 +50,7 @@ class WriteImage : public testing::Test {
     return written ? "written" : to_string(written.error().front());
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / "zraka-write-image";
+  const fs::path folder_ = fs::path(testing::TempDir()) / ("zraka-write-image-" + std::to_string(::getpid()));
 };
 
 /// Light from 0 to 1.5, and at some places what is none.
