@@ -3,6 +3,7 @@
 // what is derived from the tables besides reading.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -21,7 +22,7 @@ namespace {
 /// Things that fields may name are there.
 std::string answer(const std::string& text) {
   static const std::string folder = [] {
-    const std::string made = testing::TempDir() + "zraka_language_tables";
+    const std::string made = testing::TempDir() + "zraka_language_tables" + std::to_string(::getpid());
     std::filesystem::create_directories(made);
     std::ofstream(made + "/a.ppm") << "P3 2 2 255 0 0 0 0 0 0 0 0 0 0 0 0\n";
     std::ofstream(made + "/a.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lights, cameras, sampling and skies in the scene language.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -282,7 +283,7 @@ TEST(LanguageRendering, IsWrittenAsItWasRead) {
 /// A folder with a picture.
 const ReadOptions& with_picture() {
   static const ReadOptions options = [] {
-    const std::string folder = testing::TempDir() + "zraka_language_views";
+    const std::string folder = testing::TempDir() + "zraka_language_views" + std::to_string(::getpid());
     std::filesystem::create_directories(folder);
     std::ofstream(folder + "/sky.ppm") << "P3 2 1 255 255 0 0 0 0 255\n";
     return ReadOptions{.folder = folder};
