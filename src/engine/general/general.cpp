@@ -10,22 +10,30 @@
 #include "textures/texture_set.hpp"
 
 namespace zraka::general {
+namespace {
+
+bool holds(const auto& shapes, std::int32_t slot) {
+  return slot >= shapes.first_slot && slot < shapes.first_slot + shapes.count;
+}
+
+/// The scene, or the group that a shape stands in.
+template <class R>
+const FrozenScene<R>& home_of(const FrozenScene<R>& scene, const HitPath& path) {
+  return path.group == nullptr ? scene : *static_cast<const FrozenScene<R>*>(path.group);
+}
+
+}  // namespace
 
 template <class R>
 bool is_loose_triangle(const FrozenScene<R>& scene, const HitPath& path) {
-  const auto is_in = [&](const auto& shapes) {
-    return path.slot >= shapes.first_slot && path.slot < shapes.first_slot + shapes.count;
-  };
+  const auto is_in = [&](const auto& shapes) { return holds(shapes, path.slot); };
   return path.depth == 0 && (is_in(scene.triangles) || is_in(scene.smooth_triangles));
 }
 
 template <class R>
 bool has_inside(const FrozenScene<R>& scene, const HitPath& path) {
-  const auto& home =
-      path.group == nullptr ? scene : *static_cast<const FrozenScene<R>*>(path.group);
-  const auto is_in = [&](const auto& shapes) {
-    return path.slot >= shapes.first_slot && path.slot < shapes.first_slot + shapes.count;
-  };
+  const FrozenScene<R>& home = home_of(scene, path);
+  const auto is_in = [&](const auto& shapes) { return holds(shapes, path.slot); };
   if (is_in(home.spheres) || is_in(home.anchored_spheres)) return true;
   if (is_in(home.triangles) || is_in(home.smooth_triangles)) return path.depth > 0;
   if (!is_in(home.bodies)) return false;  // sides of cones and cylinders
@@ -49,11 +57,8 @@ std::uint64_t body_of(const FrozenScene<R>& scene, const HitPath& path, std::int
     key ^= key >> 29;
   };
   for (std::int32_t i = 0; i < path.depth; ++i) mix(path.instance[i] + 1);
-  const auto& home =
-      path.group == nullptr ? scene : *static_cast<const FrozenScene<R>*>(path.group);
-  const auto is_in = [&](const auto& shapes) {
-    return path.slot >= shapes.first_slot && path.slot < shapes.first_slot + shapes.count;
-  };
+  const FrozenScene<R>& home = home_of(scene, path);
+  const auto is_in = [&](const auto& shapes) { return holds(shapes, path.slot); };
   if (is_in(home.triangles) || is_in(home.smooth_triangles))
     mix(-2 - material);
   else

@@ -83,8 +83,7 @@ Arriving arriving(const OpticalLight& light, const V3<double>& point, const Poin
 template <class R>
 std::int32_t samples_for(std::int32_t of_light, const RayState<R>& ray) {
   if (of_light == 1) return 1;
-  const double most = static_cast<double>(
-      most_of(V3<R>{std::fabs(ray.weight.x), std::fabs(ray.weight.y), std::fabs(ray.weight.z)}));
+  const auto most = static_cast<double>(most_size(ray.weight));
   return std::clamp(static_cast<std::int32_t>(std::ceil(of_light * std::fmin(most, 1.0))), 1,
                     of_light);
 }
@@ -154,7 +153,8 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
       take_coefficients(batch.scene, level, scratch);
       // In the order of the shadow rays, whatever the order of what they hit.
       std::vector<std::int32_t> hit_of(n, -1);
-      for (std::int32_t h = 0; h < level.hit_count; ++h) hit_of[static_cast<std::size_t>(level.hits.ray[h])] = h;
+      for (std::int32_t h = 0; h < level.hit_count; ++h)
+        hit_of[static_cast<std::size_t>(level.hits.ray[h])] = h;
       for (std::size_t i = 0; i < n; ++i) {
         Walk& walk = walks[first + i];
         V3<R>& filter = general.filter[walk.entry];
@@ -219,6 +219,8 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
     }
     walks.swap(going_on);
   }
+  // Nothing is known of what lies behind so many.
+  for (const Walk& walk : walks) general.filter[walk.entry] = {R(0), R(0), R(0)};
 }
 
 /// Which of 96 parts of all directions one is in: sides of a cube, each of 4 by 4 squares.
