@@ -124,7 +124,7 @@ struct Traced {
 
   Traced(const std::string& name, int size)
       : scene(must(parse_scene(generated_text(name, size), name)).scene),
-        prepared(prepare<float>(scene, profile_of(ProfileName::physical))) {
+        prepared(prepare<float>(scene, RenderOptions{})) {
     // Squares of 4×4 neighbours spread over the picture, as tiles have them.
     const FrozenCamera<float>& c = prepared.store->scene.camera;
     const Vec3 eye{c.eye.x, c.eye.y, c.eye.z};
@@ -303,8 +303,8 @@ void time_build(benchmark::State& state, const TimedScene& which) {
 
 void time_freeze(benchmark::State& state, const TimedScene& which) {
   const Scene scene = must(parse_scene(generated_text(which.name, which.size), which.name)).scene;
-  const Profile profile = profile_of(ProfileName::physical);
-  for (auto _ : state) benchmark::DoNotOptimize(prepare<float>(scene, profile));
+  const RenderOptions options;
+  for (auto _ : state) benchmark::DoNotOptimize(prepare<float>(scene, options));
   count_items(state, scene.shape_count());
 }
 

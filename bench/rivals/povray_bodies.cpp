@@ -27,7 +27,7 @@ struct Ending {
   std::string str() const {
     std::string text;
     if (material != kMaterialOfWhole) text += texture(material);
-    if (transform != 0) text += " " + matrix(scene.transforms[transform - 1]);
+    if (transform != 0) text += ' ', text += matrix(scene.transforms[transform - 1]);
     return text + " }\n";
   }
 };

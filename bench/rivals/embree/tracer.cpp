@@ -256,7 +256,7 @@ Three<Float16> Tracer::light(const Packet& packet) {
   const Materials material(world_, packet.material, packet.hits);
   const Int16 hit = (static_cast<int>(packet.hits) >> numbers_from(0) & 1) != 0;
   Three<Float16> sum = material.color(kAmbientIn);
-  for (const Light& light : world_.lights) {
+  for (const PointLight& light : world_.lights) {
     const Three<Float16> to_light = all(light.position) - packet.point;
     const Float16 distance = sqrt(dot(to_light, to_light));
     const Three<Float16> way = to_light * (1.0f / distance);

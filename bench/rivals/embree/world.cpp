@@ -163,7 +163,7 @@ World::World(Scene scene, Spheres how, const std::string& isa)
   down = up * (-1 / static_cast<float>(height));
   first = narrow(camera.window_center) - eye + up * 0.5f - across * 0.5f;
   background = narrow(scene.background);
-  for (const Light& light : scene.lights)
+  for (const zraka::Light& light : scene.lights)
     lights.push_back({narrow(light.position), narrow(light.color)});
   for (const Material& material : scene.materials)
     add_material(material, scene.ambient_light, materials);

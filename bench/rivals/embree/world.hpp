@@ -28,7 +28,7 @@ enum MaterialColumn {
   kMaterialColumns = 16
 };
 
-struct Light {
+struct PointLight {
   Vec position, color;
 };
 
@@ -64,7 +64,7 @@ struct World {
   Vec eye, first, right, down;  ///< a ray through the corner (x, y): first + right·x + down·y
   std::uint32_t width, height;
   Vec background;
-  std::vector<Light> lights;
+  std::vector<PointLight> lights;
   std::vector<float> materials;  ///< rows of kMaterialColumns
   /// The material of a primitive: material_of[first_of[geometry] + primitive].
   std::vector<int> material_of;
