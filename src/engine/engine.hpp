@@ -8,6 +8,7 @@
 #include <zraka/render.hpp>
 
 #include "engine/hit_path.hpp"
+#include "sampling/sobol.hpp"
 #include "scene/frozen.hpp"
 
 namespace zraka {
@@ -101,9 +102,12 @@ struct Scratch {
   R *smooth_x, *smooth_y, *smooth_z;  ///< normals before textures bend them, where recorded
   R *lx, *ly, *lz;  ///< unit direction to the light at hand
   R* lit;           ///< 1 where the light at hand reaches the hit, else 0
-  R *sox, *soy, *soz, *sdx, *sdy, *sdz, *sdistance;  ///< by shadow ray
+  /// By shadow ray; in the general engine origins are by hit.
+  R *sox, *soy, *soz, *sdx, *sdy, *sdz, *sdistance;
   std::int32_t* shadow_ray_hit;
-  std::int32_t* blocked;  ///< by shadow ray, for the general engine; else nullptr
+  /// By shadow ray, for the general engine, else nullptr: which part of all directions it goes to,
+  /// and whether it is blocked. And the order in which they are traced.
+  std::int32_t *part, *blocked, *shadow_order;
 };
 
 /// Which sample of which pixel a ray of level 0 is.
@@ -172,6 +176,10 @@ struct Services {
   void (*find_hits)(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scratch);
   /// Which of the first n shadow rays meet a shape before their end: scratch.blocked, 1 or 0.
   void (*find_blocked)(const FrozenScene<R>& scene, std::size_t n, Scratch<R>& scratch);
+  /// So many rays over the hemisphere around a normal, by the cosine: points of a sequence from
+  /// `first` on. To the directions of shadow rays from number `at` on.
+  void (*make_hemisphere)(const Sobol2& points, std::uint32_t first, std::size_t count,
+                          const V3<R>& normal, std::size_t at, Scratch<R>& scratch);
 };
 
 /// One way to compute, for render/ to pick.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the general engine asks of one instruction set. CMake compiles this file once for each, like
 // engine/kernel.cpp.
+#include "engine/hemisphere.hpp"
 #include "engine/hits.hpp"
-#include "engine/light.hpp"
+#include "engine/shadow_order.hpp"
 
 namespace zraka::ZRAKA_ISA {
 namespace {
@@ -19,21 +20,10 @@ void find_hits(const FrozenScene<Lanes::Real>& scene, Level<Lanes::Real>& level,
   find_surfaces<Lanes>(scene, level, scratch);
 }
 
-void find_blocked_rays(const FrozenScene<Lanes::Real>& scene, std::size_t n,
-                       Scratch<Lanes::Real>& scratch) {
-  LastBlocker last;
-  for (std::size_t first = 0; first < n; first += RayGroup<Lanes>::kRays) {
-    RayGroup<Lanes> rays = group_of_shadow_rays<Lanes>(scratch, first, n);
-    const std::uint32_t blocked = find_blocked<Lanes>(scene, last, rays);
-    const std::size_t count = n - first < RayGroup<Lanes>::kRays ? n - first : RayGroup<Lanes>::kRays;
-    for (std::size_t i = 0; i < count; ++i)
-      scratch.blocked[first + i] = static_cast<std::int32_t>(blocked >> i & 1);
-  }
-}
-
 }  // namespace
 
 extern const Services<Lanes::Real> kServices;
-const Services<Lanes::Real> kServices = {find_hits, find_blocked_rays};
+const Services<Lanes::Real> kServices = {find_hits, find_blocked_in_order<Lanes>,
+                                         make_hemisphere<Lanes::Real>};
 
 }  // namespace zraka::ZRAKA_ISA

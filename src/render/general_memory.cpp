@@ -20,7 +20,7 @@ GeneralMemory<R>::GeneralMemory(std::int32_t batch, std::int32_t shadow_rays,
   workspace_.through_scratch = through_.workspace().scratch;
   workspace_.room = batch;
   workspace_.shadow_room = static_cast<std::size_t>(shadow_rays);
-  workspace_.waiting.reserve(workspace_.shadow_room);
+  workspace_.of_waiting.reserve(workspace_.shadow_room);
   workspace_.filter.reserve(workspace_.shadow_room);
 }
 

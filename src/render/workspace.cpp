@@ -37,7 +37,8 @@ void place_all(Layout& layout, Level<R>* levels, Workspace<R>& workspace,
                s.lx, s.ly, s.lz, s.lit);
   const auto shadow_rays = static_cast<std::size_t>(std::max(needs.batch, needs.shadow_rays));
   layout.place(shadow_rays, s.sox, s.soy, s.soz, s.sdx, s.sdy, s.sdz, s.sdistance);
-  layout.place(batch, s.slot, s.material, s.shadow_ray_hit);
+  layout.place(shadow_rays, s.shadow_ray_hit);
+  layout.place(batch, s.slot, s.material);
   layout.place(batch, workspace.samples);
   if (needs.textured) {
     layout.place(batch * kMaterialReals, s.own_rows);
@@ -45,7 +46,7 @@ void place_all(Layout& layout, Level<R>* levels, Workspace<R>& workspace,
     layout.place(batch, s.details);
   }
   if (needs.textured || needs.general) layout.place(batch, s.paths);
-  if (needs.general) layout.place(shadow_rays, s.blocked);
+  if (needs.general) layout.place(shadow_rays, s.part, s.blocked, s.shadow_order);
   if (needs.recorded) layout.place(batch, s.smooth_x, s.smooth_y, s.smooth_z);
   const std::size_t rays_of_level = batch * static_cast<std::size_t>(needs.children);
   for (int i = 0; i <= needs.max_depth; ++i) {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "math/inline.hpp"
 #include "sampling/hash.hpp"
 
 namespace zraka {
@@ -16,7 +17,7 @@ struct Point2 {
   double u, v;
 };
 
-constexpr std::uint32_t reverse_bits(std::uint32_t x) {
+ZRAKA_INLINE constexpr std::uint32_t reverse_bits(std::uint32_t x) {
   x = (x >> 16) | (x << 16);
   x = ((x & 0xFF00FF00u) >> 8) | ((x & 0x00FF00FFu) << 8);
   x = ((x & 0xF0F0F0F0u) >> 4) | ((x & 0x0F0F0F0Fu) << 4);
@@ -28,7 +29,7 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
 /// depends on the key and on the bits below it, which weigh more. Laine and Karras, "Stratified
 /// sampling for stochastic transparency", 2011, section 3.1, with the constants of Vegdahl,
 /// "Building a better LK hash", 2021, since the paper's leave patterns that can be seen.
-constexpr std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t key) {
+ZRAKA_INLINE constexpr std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t key) {
   x ^= x * 0x3D20ADEAu;
   x += key;
   x *= (key >> 16) | 1;
@@ -39,7 +40,7 @@ constexpr std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t key) {
 /// The bits of the second coordinate from those of the index, both with the least first: Pascal's
 /// triangle modulo 2 (Sobol 1967), by halves as in Ahmed, "An implementation algorithm of 2D Sobol
 /// sequence fast, elegant, and compact", 2024.
-constexpr std::uint32_t second_sobol_reversed(std::uint32_t index) {
+ZRAKA_INLINE constexpr std::uint32_t second_sobol_reversed(std::uint32_t index) {
   index ^= (index >> 16) & 0x0000FFFFu;
   index ^= (index >> 8) & 0x00FF00FFu;
   index ^= (index >> 4) & 0x0F0F0F0Fu;
@@ -56,10 +57,17 @@ class Sobol2 {
       : shuffle_(hash(key, 0)), u_(hash(key, 1)), v_(hash(key, 2)) {}
 
   constexpr Point2 operator[](std::uint32_t index) const {
+    std::uint32_t u = 0, v = 0;
+    find_bits(index, u, v);
+    return {unit_of(u), unit_of(v)};
+  }
+
+  /// The same, in 2^-32.
+  ZRAKA_INLINE constexpr void find_bits(std::uint32_t index, std::uint32_t& u,
+                                        std::uint32_t& v) const {
     const std::uint32_t at = reverse_bits(scramble_reversed(reverse_bits(index), shuffle_));
-    const std::uint32_t u = scramble_reversed(at, u_);
-    const std::uint32_t v = scramble_reversed(second_sobol_reversed(at), v_);
-    return {unit_of(reverse_bits(u)), unit_of(reverse_bits(v))};
+    u = reverse_bits(scramble_reversed(at, u_));
+    v = reverse_bits(scramble_reversed(second_sobol_reversed(at), v_));
   }
 
  private:

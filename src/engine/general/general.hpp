@@ -119,12 +119,10 @@ class Listener {
   bool stop = false;  ///< no more levels, the rest is not wanted
 };
 
-/// What waits for its shadow ray.
+/// What waits for its shadow ray, which stands in the scratch's arrays under the same number.
 template <class R>
 struct Waiting {
-  std::int32_t hit, sample;
-  V3<R> origin, direction;
-  R distance;
+  std::int32_t sample;
   R l_n;
   V3<R> radiance;
 };
@@ -137,9 +135,9 @@ struct GeneralWorkspace {
   std::vector<LightSum<R>> sums;
   std::vector<V3<R>> occlusion;
   std::vector<std::int32_t> samples;  ///< of occlusion, by hit
-  std::vector<Waiting<R>> waiting;
-  std::vector<V3<R>> filter;  ///< of each that waits
-  std::vector<std::int32_t> order;  ///< in which they are traced
+  std::size_t waiting = 0;            ///< shadow rays
+  std::vector<Waiting<R>> of_waiting;  ///< of a light's
+  std::vector<V3<R>> filter;           ///< what shadows leave of each that waits
   /// Rays on their way through what is transparent, and what they hit there.
   Level<R> through;
   Scratch<R> through_scratch;

@@ -11,6 +11,15 @@
 namespace zraka::general {
 namespace {
 
+/// Two directions at right angles to a unit vector and to each other (Duff et al. 2017, "Building
+/// an Orthonormal Basis, Revisited").
+void basis_of(const V3<double>& n, V3<double>& a, V3<double>& b) {
+  const double sign = std::copysign(1.0, n.z);
+  const double p = -1 / (sign + n.z), q = n.x * n.y * p;
+  a = {1 + sign * n.x * n.x * p, sign * q, -sign * n.x};
+  b = {q, sign + n.y * n.y * p, -n.y};
+}
+
 /// What a light sends to a point, from one of its samples.
 struct Arriving {
   V3<double> to_light;  ///< unit length
@@ -104,9 +113,10 @@ template <class R>
 void settle_light(const Batch<R>& batch) {
   trace_waiting(batch);
   GeneralWorkspace<R>& general = batch.general;
-  for (std::size_t i = 0; i < general.waiting.size(); ++i) {
-    const Waiting<R>& one = general.waiting[i];
-    const auto h = static_cast<std::size_t>(one.hit);
+  const Scratch<R>& scratch = batch.scratch;
+  for (std::size_t i = 0; i < general.waiting; ++i) {
+    const Waiting<R>& one = general.of_waiting[i];
+    const auto h = static_cast<std::size_t>(scratch.shadow_ray_hit[i]);
     LightSum<R>& sum = general.sums[h];
     const V3<R>& filter = general.filter[i];
     if (one.sample == 0) sum.filter = filter;
@@ -120,9 +130,7 @@ void settle_light(const Batch<R>& batch) {
     const V3<R> ks{row[kSpecular], row[kSpecular + 1], row[kSpecular + 2]};
     if (!batch.settings.terms.specular || is_zero(ks)) continue;
     const double cosine =
-        highlight_cosine(batch, h,
-                         {static_cast<double>(one.direction.x), static_cast<double>(one.direction.y),
-                          static_cast<double>(one.direction.z)});
+        highlight_cosine(batch, h, three(scratch.sdx, scratch.sdy, scratch.sdz, i));
     if (!(cosine >= 0)) {
       if (one.sample == 0) sum.cosine = cosine;
       continue;
@@ -131,7 +139,8 @@ void settle_light(const Batch<R>& batch) {
     if (one.sample == 0) sum.cosine = cosine, sum.highlight = highlight;
     sum.specular = sum.specular + radiance * ks * static_cast<R>(highlight);
   }
-  general.waiting.clear();
+  general.waiting = 0;
+  general.of_waiting.clear();
 }
 
 /// All samples of one light at all hits.
@@ -140,11 +149,11 @@ void add_light(const Batch<R>& batch, std::int32_t index) {
   const OpticalLight& light = batch.optics().lights[index];
   const V3<R>& color = batch.scene.lights[index].color;
   GeneralWorkspace<R>& general = batch.general;
+  Scratch<R>& scratch = batch.scratch;
   general.sums.assign(batch.hit_count(), LightSum<R>{});
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     const RayState<R>& ray = batch.ray_of(h);
     const V3<double> point = batch.point(h), normal = batch.normal(h);
-    const V3<R> origin = shadow_origin(batch, h);
     const bool is_surface = light.kind >= LightKind::rectangle;
     const Sobol2 points(
         is_surface ? hash(ray.key, static_cast<std::uint32_t>(index), 0x11u) : 0u);
@@ -166,10 +175,14 @@ void add_light(const Batch<R>& batch, std::int32_t index) {
       if (is_zero(radiance)) continue;
       // Whoever explains wants to know of all of them.
       if (general.listener == nullptr && !counts(batch, h, arrives.to_light, l_n)) continue;
-      general.waiting.push_back(
-          {static_cast<std::int32_t>(h), s, origin, narrowed<R>(arrives.to_light),
-           static_cast<R>(std::fmin(arrives.distance, kFarthest)), static_cast<R>(l_n), radiance});
-      if (general.waiting.size() == general.shadow_room) settle_light(batch);
+      const std::size_t i = general.waiting++;
+      scratch.sdx[i] = static_cast<R>(arrives.to_light.x);
+      scratch.sdy[i] = static_cast<R>(arrives.to_light.y);
+      scratch.sdz[i] = static_cast<R>(arrives.to_light.z);
+      scratch.sdistance[i] = static_cast<R>(std::fmin(arrives.distance, kFarthest));
+      scratch.shadow_ray_hit[i] = static_cast<std::int32_t>(h);
+      general.of_waiting.push_back({s, static_cast<R>(l_n), radiance});
+      if (general.waiting == general.shadow_room) settle_light(batch);
     }
   }
   settle_light(batch);
@@ -193,7 +206,9 @@ void light_hits(const Batch<R>& batch) {
   GeneralWorkspace<R>& general = batch.general;
   const bool occluded = batch.optics().occlusion_samples > 0 && terms.ambient &&
                         terms.shadows && !terms.silhouette;
-  general.waiting.clear();
+  general.waiting = 0;
+  general.of_waiting.clear();
+  find_shadow_origins(batch);
   if (occluded) find_occlusion(batch);
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     const R plain = terms.silhouette ? R(1) : R(0);

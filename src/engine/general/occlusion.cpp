@@ -3,54 +3,74 @@
 #include "engine/general/shadows.hpp"
 #include "sampling/hash.hpp"
 #include "sampling/sobol.hpp"
-#include "sampling/warp.hpp"
 
 namespace zraka::general {
+
+namespace {
+
+/// Adds to the hits what has arrived of all that wait.
+template <class R>
+void settle(const Batch<R>& batch) {
+  GeneralWorkspace<R>& general = batch.general;
+  const Scratch<R>& scratch = batch.scratch;
+  if (may_be_passed(batch)) {
+    general.of_waiting.assign(general.waiting, Waiting<R>{});
+    trace_waiting(batch);
+    for (std::size_t i = 0; i < general.waiting; ++i) {
+      V3<R>& sum = general.occlusion[static_cast<std::size_t>(scratch.shadow_ray_hit[i])];
+      sum = sum + general.filter[i];
+    }
+    general.of_waiting.clear();
+  } else {
+    find_blocked(batch);
+    for (std::size_t i = 0; i < general.waiting; ++i) {
+      V3<R>& sum = general.occlusion[static_cast<std::size_t>(scratch.shadow_ray_hit[i])];
+      sum.x += static_cast<R>(1 - scratch.blocked[i]);
+    }
+  }
+  general.waiting = 0;
+}
+
+}  // namespace
 
 template <class R>
 void find_occlusion(const Batch<R>& batch) {
   const FrozenOptics& optics = batch.optics();
   GeneralWorkspace<R>& general = batch.general;
+  Scratch<R>& scratch = batch.scratch;
   general.occlusion.assign(batch.hit_count(), V3<R>{R(0), R(0), R(0)});
   general.samples.assign(batch.hit_count(), 1);
   Listener<R>* const listener = general.listener;
   general.listener = nullptr;  // too much to tell
-  const auto distance = static_cast<R>(std::fmin(optics.occlusion_distance, kFarthest));
-  const auto settle = [&] {
-    trace_waiting(batch);
-    for (std::size_t i = 0; i < general.waiting.size(); ++i) {
-      V3<R>& sum = general.occlusion[static_cast<std::size_t>(general.waiting[i].hit)];
-      sum = sum + general.filter[i];
-    }
-    general.waiting.clear();
-  };
+  std::fill_n(scratch.sdistance, general.shadow_room,
+              static_cast<R>(std::fmin(optics.occlusion_distance, kFarthest)));
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     const R* const row = batch.row(h);
     if (row[kAmbient] == R(0) && row[kAmbient + 1] == R(0) && row[kAmbient + 2] == R(0)) continue;
     const RayState<R>& ray = batch.ray_of(h);
     const Sobol2 points(hash(ray.key, 0xA0u));
     const std::int32_t samples = general.samples[h] = samples_for(optics.occlusion_samples, ray);
-    V3<double> a{}, b{};
-    const V3<double> normal = batch.smooth_normal(h);
-    const V3<R> origin = shadow_origin(batch, h);
-    basis_of(normal, a, b);
-    for (std::int32_t s = 0; s < samples; ++s) {
-      const auto number = ray.sample * static_cast<std::uint32_t>(optics.occlusion_samples) +
-                          static_cast<std::uint32_t>(s);
-      const DiscPoint on = quick_concentric_disc(points[number]);
-      const double up = std::sqrt(std::fmax(1 - on.x * on.x - on.y * on.y, 0.0));
-      const V3<double> way = unit(a * on.x + b * on.y + normal * up);
-      general.waiting.push_back(
-          {static_cast<std::int32_t>(h), s, origin, narrowed<R>(way), distance, R(0), V3<R>{}});
-      if (general.waiting.size() == general.shadow_room) settle();
+    const V3<R> normal = narrowed<R>(batch.smooth_normal(h));
+    const std::uint32_t first = ray.sample * static_cast<std::uint32_t>(optics.occlusion_samples);
+    for (std::size_t done = 0; done < static_cast<std::size_t>(samples);) {
+      const std::size_t n = std::min(static_cast<std::size_t>(samples) - done,
+                                     general.shadow_room - general.waiting);
+      batch.services.make_hemisphere(points, first + static_cast<std::uint32_t>(done), n, normal,
+                                     general.waiting, scratch);
+      std::fill_n(scratch.shadow_ray_hit + general.waiting, n, static_cast<std::int32_t>(h));
+      general.waiting += n;
+      done += n;
+      if (general.waiting == general.shadow_room) settle(batch);
     }
   }
-  settle();
+  settle(batch);
   general.listener = listener;
   const V3<R> color = narrowed<R>(optics.occlusion_color);
-  for (std::size_t h = 0; h < batch.hit_count(); ++h)
-    general.occlusion[h] =
-        general.occlusion[h] * (R(1) / static_cast<R>(general.samples[h])) * color;
+  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+    V3<R>& sum = general.occlusion[h];
+    if (!may_be_passed(batch)) sum = {sum.x, sum.x, sum.x};
+    sum = sum * (R(1) / static_cast<R>(general.samples[h])) * color;
+  }
 }
 
 #define ZRAKA_FOR(R) template void find_occlusion(const Batch<R>&);

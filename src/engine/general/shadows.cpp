@@ -6,11 +6,6 @@
 namespace zraka::general {
 namespace {
 
-template <class R>
-bool may_be_passed(const Batch<R>& batch) {
-  return batch.settings.transparent_shadows;
-}
-
 /// A shadow ray on its way through transparent bodies.
 struct Walk {
   std::size_t entry;
@@ -31,8 +26,8 @@ void finish(const Batch<R>& batch, const Walk& walk, V3<R>& filter) {
   const V3<R> left = narrowed<R>(transmittance_of(materials[medium].absorption, walk.left));
   filter = filter * left;
   if (batch.general.listener != nullptr)
-    batch.general.listener->at_passed({batch.general.waiting[walk.entry].hit,
-                                       batch.general.waiting[walk.entry].sample,
+    batch.general.listener->at_passed({batch.scratch.shadow_ray_hit[walk.entry],
+                                       batch.general.of_waiting[walk.entry].sample,
                                        -1,
                                        nullptr,
                                        walk.walked + walk.left,
@@ -88,8 +83,8 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
         const std::uint64_t body = body_of(batch.scene, scratch.paths[h], scratch.material[h]);
         const V3<R> share = may_be_passed(batch) ? refraction_of(material, row) : V3<R>{};
         walk.walked += t;
-        Passed<R> passed{general.waiting[walk.entry].hit,
-                         general.waiting[walk.entry].sample,
+        Passed<R> passed{batch.scratch.shadow_ray_hit[walk.entry],
+                         general.of_waiting[walk.entry].sample,
                          scratch.slot[i],
                          &scratch.paths[h],
                          walk.walked,
@@ -141,38 +136,11 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
   for (const Walk& walk : walks) general.filter[walk.entry] = {R(0), R(0), R(0)};
 }
 
-/// Which of 96 parts of all directions one is in: sides of a cube, each of 4 by 4 squares.
-template <class R>
-std::size_t part_of(const V3<R>& d) {
-  const R x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
-  const auto fourth = [](R at, R most) {
-    const auto q = static_cast<std::int32_t>((at / most + R(1)) * R(2));
-    return static_cast<std::size_t>(std::clamp(q, 0, 3));
-  };
-  if (x >= y && x >= z) return (d.x < 0 ? 0 : 16) + 4 * fourth(d.y, x) + fourth(d.z, x);
-  if (y >= z) return (d.y < 0 ? 32 : 48) + 4 * fourth(d.x, y) + fourth(d.z, y);
-  return (d.z < 0 ? 64 : 80) + 4 * fourth(d.x, z) + fourth(d.y, z);
-}
-
-/// Rays that go the same way go together: they ask the same boxes. What comes of each is its own,
-/// whatever the order.
-template <class R>
-void order_by_direction(GeneralWorkspace<R>& general) {
-  const std::size_t n = general.waiting.size();
-  std::int32_t start[97] = {};
-  for (const Waiting<R>& one : general.waiting) ++start[part_of(one.direction) + 1];
-  for (std::size_t p = 1; p < 97; ++p) start[p] += start[p - 1];
-  general.order.resize(n);
-  for (std::size_t i = 0; i < n; ++i)
-    general.order[static_cast<std::size_t>(start[part_of(general.waiting[i].direction)]++)] =
-        static_cast<std::int32_t>(i);
-}
-
 /// Whether a shadow ray begins inside of what absorbs.
 template <class R>
 bool starts_in_absorber(const Batch<R>& batch, std::size_t entry) {
   if (!batch.optics().absorbing || !may_be_passed(batch)) return false;
-  const auto hit = static_cast<std::size_t>(batch.general.waiting[entry].hit);
+  const auto hit = static_cast<std::size_t>(batch.scratch.shadow_ray_hit[entry]);
   const std::int32_t medium = medium_of(batch.ray_of(hit).inside, batch.optics().materials);
   return medium >= 0 && batch.optics().materials[medium].absorbs();
 }
@@ -180,36 +148,40 @@ bool starts_in_absorber(const Batch<R>& batch, std::size_t entry) {
 }  // namespace
 
 template <class R>
+void find_shadow_origins(const Batch<R>& batch) {
+  Scratch<R>& scratch = batch.scratch;
+  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+    const V3<R> from = narrowed<R>(batch.point(h) + batch.smooth_normal(h) * batch.offset(h));
+    scratch.sox[h] = from.x, scratch.soy[h] = from.y, scratch.soz[h] = from.z;
+  }
+}
+
+template <class R>
+void find_blocked(const Batch<R>& batch) {
+  batch.counts.shadow += batch.general.waiting;
+  batch.services.find_blocked(batch.scene, batch.general.waiting, batch.scratch);
+}
+
+template <class R>
 void trace_waiting(const Batch<R>& batch) {
   GeneralWorkspace<R>& general = batch.general;
-  Scratch<R>& scratch = batch.scratch;
-  const std::size_t n = general.waiting.size();
-  general.filter.assign(n, V3<R>{R(1), R(1), R(1)});
-  if (n == 0 || !batch.settings.terms.shadows) return;
-  batch.counts.shadow += n;
-  order_by_direction(general);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Waiting<R>& one = general.waiting[static_cast<std::size_t>(general.order[i])];
-    scratch.sox[i] = one.origin.x, scratch.soy[i] = one.origin.y, scratch.soz[i] = one.origin.z;
-    scratch.sdx[i] = one.direction.x, scratch.sdy[i] = one.direction.y;
-    scratch.sdz[i] = one.direction.z;
-    scratch.sdistance[i] = one.distance;
-  }
-  batch.services.find_blocked(batch.scene, n, scratch);
+  const Scratch<R>& scratch = batch.scratch;
+  general.filter.assign(general.waiting, V3<R>{R(1), R(1), R(1)});
+  if (general.waiting == 0 || !batch.settings.terms.shadows) return;
+  find_blocked(batch);
   std::vector<Walk> walks;
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto entry = static_cast<std::size_t>(general.order[i]);
-    if (scratch.blocked[i] == 0 && !starts_in_absorber(batch, entry)) continue;
+  for (std::size_t entry = 0; entry < general.waiting; ++entry) {
+    if (scratch.blocked[entry] == 0 && !starts_in_absorber(batch, entry)) continue;
     if (!may_be_passed(batch)) {
       general.filter[entry] = {R(0), R(0), R(0)};
       // Whoever explains wants to know what the light is blocked by.
       if (general.listener == nullptr) continue;
     }
-    const auto hit = static_cast<std::size_t>(general.waiting[entry].hit);
+    const auto hit = static_cast<std::size_t>(scratch.shadow_ray_hit[entry]);
     Walk walk{entry,
-              three(scratch.sox, scratch.soy, scratch.soz, i),
-              three(scratch.sdx, scratch.sdy, scratch.sdz, i),
-              static_cast<double>(scratch.sdistance[i]),
+              three(scratch.sox, scratch.soy, scratch.soz, hit),
+              three(scratch.sdx, scratch.sdy, scratch.sdz, entry),
+              static_cast<double>(scratch.sdistance[entry]),
               0,
               {},
               {}};
@@ -220,7 +192,10 @@ void trace_waiting(const Batch<R>& batch) {
   walk_through(batch, walks);
 }
 
-#define ZRAKA_FOR(R) template void trace_waiting(const Batch<R>&);
+#define ZRAKA_FOR(R)                                \
+  template void find_shadow_origins(const Batch<R>&); \
+  template void find_blocked(const Batch<R>&);        \
+  template void trace_waiting(const Batch<R>&);
 ZRAKA_FOR(float)
 ZRAKA_FOR(double)
 #undef ZRAKA_FOR
