@@ -8,6 +8,7 @@
 #include <zraka/render.hpp>
 
 #include "engine/hit_path.hpp"
+#include "sampling/pixel_filter.hpp"
 #include "sampling/sobol.hpp"
 #include "scene/frozen.hpp"
 
@@ -169,7 +170,12 @@ struct Recording {
   void (*at_fold)(void* reader, const Level<R>& level);
 };
 
-/// What the general engine asks of an instruction set.
+/// What samples are drawn from, an array each: Sobol2's keys, and which point of the sequence.
+struct SampleKeys {
+  const std::uint32_t *shuffle, *u, *v, *number;
+};
+
+/// What is asked of an instruction set beside whole tiles.
 template <class R>
 struct Services {
   /// The hits of a level's batch and their surfaces, as the kernel finds them.
@@ -180,6 +186,12 @@ struct Services {
   /// `first` on. To the directions of shadow rays from number `at` on.
   void (*make_hemisphere)(const Sobol2& points, std::uint32_t first, std::size_t count,
                           const V3<R>& normal, std::size_t at, Scratch<R>& scratch);
+  /// Rays from the eye through n places in the picture, which stand where their directions will,
+  /// columns in x and rows in y. With a filter these are pixels' places, and are moved to those of
+  /// samples.
+  void (*make_window_rays)(const FrozenCamera<R>& camera, const InverseFilter* filter,
+                           const SampleKeys& keys, std::size_t n, RayArrays<R>& rays,
+                           std::uint8_t* negative);
 };
 
 /// One way to compute, for render/ to pick.

@@ -4,6 +4,7 @@
 #include "engine/hemisphere.hpp"
 #include "engine/hits.hpp"
 #include "engine/shadow_order.hpp"
+#include "engine/window_rays.hpp"
 
 namespace zraka::ZRAKA_ISA {
 namespace {
@@ -20,10 +21,16 @@ void find_hits(const FrozenScene<Lanes::Real>& scene, Level<Lanes::Real>& level,
   find_surfaces<Lanes>(scene, level, scratch);
 }
 
+void make_rays(const FrozenCamera<Lanes::Real>& camera, const InverseFilter* filter,
+               const SampleKeys& keys, std::size_t n, RayArrays<Lanes::Real>& rays,
+               std::uint8_t* negative) {
+  make_window_rays(camera, filter, keys, n, rays, negative);
+}
+
 }  // namespace
 
 extern const Services<Lanes::Real> kServices;
 const Services<Lanes::Real> kServices = {find_hits, find_blocked_in_order<Lanes>,
-                                         make_hemisphere<Lanes::Real>};
+                                         make_hemisphere<Lanes::Real>, make_rays};
 
 }  // namespace zraka::ZRAKA_ISA

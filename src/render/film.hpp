@@ -18,6 +18,13 @@ struct FilmSample {
   bool hits = false;      ///< a shape
 };
 
+/// What samples of one pixel bring, one after the other.
+struct FilmRun {
+  const float* color[3];
+  const std::uint8_t* hits;
+  std::size_t count;
+};
+
 /// What a pixel keeps of its samples, which come in the order of their numbers.
 class FilmPixel {
  public:
@@ -31,6 +38,17 @@ class FilmPixel {
     }
     ++(sample.negative ? negative_count_ : positive_count_);
     if (sample.hits) ++(sample.negative ? negative_hits_ : positive_hits_);
+  }
+
+  /// Samples that all count above 0, and of which it does not matter how far they differ.
+  void add(const FilmRun& run) {
+    for (int c = 0; c < 3; ++c) {
+      double sum = positive_[c];
+      for (std::size_t i = 0; i < run.count; ++i) sum += static_cast<double>(run.color[c][i]);
+      positive_[c] = sum;
+    }
+    positive_count_ += static_cast<std::uint32_t>(run.count);
+    for (std::size_t i = 0; i < run.count; ++i) positive_hits_ += run.hits[i];
   }
 
   /// How much of the pixel shapes cover, by the filter: 0…1.

@@ -4,6 +4,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <type_traits>
 #include <vector>
 
 #include "engine/tile_order.hpp"
@@ -27,22 +28,22 @@ class SampleTracer {
       : job_(job),
         samples_(samples),
         memory_(batch_of(job), job.scene, job.settings),
-        waiting_(static_cast<std::size_t>(memory_.workspace().batch)),
-        hits_(waiting_.size()) {}
+        batch_(static_cast<std::size_t>(memory_.workspace().batch)),
+        hits_(batch_.number.size()) {}
 
   /// The samples [first, last) of a pixel.
   void add(std::int32_t x, std::int32_t y, std::uint32_t first, std::uint32_t last,
            FilmPixel& pixel) {
     Workspace<R>& workspace = memory_.workspace();
-    for (std::uint32_t number = first; number < last; ++number) {
-      const auto made = samples_.make(x, y, number, workspace, count_);
-      if (made == SampleRays<R>::Made::nothing) {
-        pixel.add({});
-        continue;
-      }
-      waiting_[static_cast<std::size_t>(count_)] = {&pixel,
-                                                    made == SampleRays<R>::Made::negative_ray};
-      if (++count_ == workspace.batch) flush();
+    if (!samples_.in_batches()) return add_one_by_one(x, y, first, last, pixel);
+    while (first < last) {
+      const std::uint32_t n =
+          std::min(last - first, static_cast<std::uint32_t>(workspace.batch - count_));
+      samples_.add(x, y, first, n, workspace, batch_, count_);
+      count_ += static_cast<std::int32_t>(n);
+      runs_.push_back({&pixel, count_});
+      first += n;
+      if (count_ == workspace.batch) flush();
     }
   }
 
@@ -52,22 +53,21 @@ class SampleTracer {
     Workspace<R>& workspace = memory_.workspace();
     Level<R>& level = workspace.levels[0];
     level.ray_count = count_;
+    if (samples_.in_batches())
+      samples_.make_all(*job_.kernel.services, count_, workspace, batch_);
     trace_rays(job_.kernel, job_.scene, job_.settings, memory_, counts);
     if (memory_.general)
       for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
         note_cut(static_cast<double>(memory_.general->workspace().rays[0][i].cut));
-    std::fill_n(hits_.begin(), count_, false);
+    std::fill_n(hits_.begin(), count_, std::uint8_t{0});
     for (std::int32_t h = 0; h < level.hit_count; ++h)
-      hits_[static_cast<std::size_t>(level.hits.ray[h])] = true;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
-      FilmSample sample{{static_cast<float>(level.rays.r[i]), static_cast<float>(level.rays.g[i]),
-                         static_cast<float>(level.rays.b[i])},
-                        waiting_[i].negative,
-                        hits_[i]};
-      // Behind what is transparent is nothing.
-      if (job_.options.transparent && !sample.hits) std::fill_n(sample.color, 3, 0.0f);
-      waiting_[i].pixel->add(sample);
+      hits_[static_cast<std::size_t>(level.hits.ray[h])] = 1;
+    std::int32_t first = 0;
+    for (const Run& run : runs_) {
+      give(level, static_cast<std::size_t>(first), static_cast<std::size_t>(run.end), *run.pixel);
+      first = run.end;
     }
+    runs_.clear();
     count_ = 0;
   }
 
@@ -85,16 +85,54 @@ class SampleTracer {
     all_cut += cut;
   }
 
-  struct Waiting {
+  void add_one_by_one(std::int32_t x, std::int32_t y, std::uint32_t first, std::uint32_t last,
+                      FilmPixel& pixel) {
+    Workspace<R>& workspace = memory_.workspace();
+    for (std::uint32_t number = first; number < last; ++number) {
+      const auto made = samples_.make(x, y, number, workspace, count_);
+      if (made == SampleRays<R>::Made::nothing) {
+        pixel.add(FilmSample{});
+        continue;
+      }
+      batch_.negative[static_cast<std::size_t>(count_)] = made == SampleRays<R>::Made::negative_ray;
+      if (runs_.empty() || runs_.back().pixel != &pixel) runs_.push_back({&pixel, 0});
+      runs_.back().end = ++count_;
+      if (count_ == workspace.batch) flush();
+    }
+  }
+
+  /// Gives samples [first, end) to their pixel.
+  void give(const Level<R>& level, std::size_t first, std::size_t end, FilmPixel& pixel) const {
+    if constexpr (std::is_same_v<R, float>)
+      if (adds_plainly_)
+        return pixel.add(FilmRun{{level.rays.r + first, level.rays.g + first, level.rays.b + first},
+                                 hits_.data() + first,
+                                 end - first});
+    for (std::size_t i = first; i < end; ++i) {
+      FilmSample sample{{static_cast<float>(level.rays.r[i]), static_cast<float>(level.rays.g[i]),
+                         static_cast<float>(level.rays.b[i])},
+                        batch_.negative[i] != 0,
+                        hits_[i] != 0};
+      // Behind what is transparent is nothing.
+      if (job_.options.transparent && !sample.hits) std::fill_n(sample.color, 3, 0.0f);
+      pixel.add(sample);
+    }
+  }
+
+  struct Run {
     FilmPixel* pixel;
-    bool negative;
+    std::int32_t end;
   };
   const PictureJob<R>& job_;
   const SampleRays<R>& samples_;
   TracerMemory<R> memory_;
-  std::vector<Waiting> waiting_;
-  std::vector<bool> hits_;
+  SampleBatch batch_;
+  std::vector<Run> runs_;  ///< of samples of one pixel each
+  std::vector<std::uint8_t> hits_;
   std::int32_t count_ = 0;
+  const bool adds_plainly_ = job_.options.sampling.kind != Sampling::Kind::adaptive &&
+                             job_.options.sampling.filter != PixelFilter::mitchell &&
+                             !job_.options.transparent;
 };
 
 template <class R>
@@ -104,7 +142,7 @@ class SampledPicture {
       : job_(job),
         rendering_(rendering),
         samples_(job.scene.camera, job.options.profile, job.options.sampling,
-                 job.scene.textures != nullptr),
+                 job.scene.textures != nullptr, job.scene.optics != nullptr),
         bounds_(job.bounds(samples_.filter().radius())),
         tracers_([this] { return SampleTracer<R>(job_, samples_); }),
         alpha_(job.options.transparent

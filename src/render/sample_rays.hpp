@@ -3,21 +3,31 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 #include <zraka/render.hpp>
 
+#include "cameras/camera_ray.hpp"
 #include "engine/engine.hpp"
 #include "sampling/pixel_filter.hpp"
 #include "scene/frozen.hpp"
 
 namespace zraka {
 
+/// What the samples of a batch are drawn from, and which of them count below 0.
+struct SampleBatch {
+  std::vector<std::uint32_t> shuffle, u, v, number;
+  std::vector<std::uint8_t> negative;
+  explicit SampleBatch(std::size_t size)
+      : shuffle(size), u(size), v(size), number(size), negative(size) {}
+};
+
 /// Makes the rays of a picture's samples. What it makes depends on pixel and number alone.
 template <class R>
 class SampleRays {
  public:
-  /// `textured`: rays have cones.
+  /// `textured`: rays have cones. `names_samples`: the engine asks which samples add()'s are.
   SampleRays(const FrozenCamera<R>& camera, const Profile& profile, const Sampling& sampling,
-             bool textured);
+             bool textured, bool names_samples = true);
 
   enum class Made { ray, negative_ray, nothing };
   /// Puts a sample's ray to place `index` of level 0, and its name into the workspace; a negative
@@ -25,18 +35,32 @@ class SampleRays {
   Made make(std::int32_t x, std::int32_t y, std::uint32_t number, Workspace<R>& workspace,
             std::int32_t index) const;
 
+  /// Whether the following two make them, many at a time.
+  bool in_batches() const { return in_batches_; }
+  /// Samples [first, first + count) of a pixel, to places from `index` on.
+  void add(std::int32_t x, std::int32_t y, std::uint32_t first, std::uint32_t count,
+           Workspace<R>& workspace, SampleBatch& batch, std::int32_t index) const;
+  /// The rays of the first n.
+  void make_all(const Services<R>& services, std::int32_t n, Workspace<R>& workspace,
+                SampleBatch& batch) const;
+
   /// Samples that every pixel has; adaptive ones are the least.
   std::uint32_t count() const { return count_; }
   const PixelFilterShape& filter() const { return filter_; }
 
  private:
-  V3<double> plain_direction(std::int32_t x, std::int32_t y) const;
+  void put_cone(const PicturePoint& point, const CameraRay& ray, const RayArrays<R>& rays,
+                std::int32_t index) const;
+  FilterOffset fixed_offset(std::uint32_t number) const;
   FilterOffset offset(std::int32_t x, std::int32_t y, std::uint32_t number) const;
 
   const FrozenCamera<R>& camera_;
   const Sampling sampling_;
   const PixelFilterShape& filter_;
-  const bool textured_;
+  const InverseFilter inverse_;
+  const bool textured_, in_batches_;
+  const bool is_drawn_;  ///< places come of Sobol's sequence, and are not the same in all pixels
+  const bool names_samples_;
   const double in_pixel_;  ///< corners that are averaged are around the pixel, not its place
   std::uint32_t count_;
   double cone_scale_;

@@ -45,6 +45,14 @@ PixelFilterShape::PixelFilterShape(double radius, int steps, double (*f)(double)
     const auto above = std::upper_bound(integral_.begin() + 1, integral_.end() - 1, area);
     guide_.push_back(static_cast<std::uint16_t>(above - integral_.begin() - 1));
   }
+  for (int part = 0; part <= InverseFilter::kParts; ++part)
+    inverse_.push_back(static_cast<float>(place(0.5 + 0.5 * part / InverseFilter::kParts)));
+  inverse_.push_back(inverse_.back());
+  double positive = 1;
+  for (std::size_t i = 0; sign_change > 0 && i < integral_.size(); ++i)
+    if (std::fabs(static_cast<double>(i) * step_ - sign_change) < step_ / 2)
+      positive = integral_[i] / integral_.back();
+  negative_from_ = static_cast<std::int32_t>(positive * 0x1p24);
   // f(x)·f(y) is negative where one of them is.
   negative_ = 2 * negative_in_one_dimension * (1 + negative_in_one_dimension);
 }
@@ -81,6 +89,12 @@ double PixelFilterShape::place(double u) const {
   const double t = root > 0 ? std::fmin(2 * rest / root, step_) : 0;
   const double x = static_cast<double>(i) * step_ + t;
   return u < 0.5 ? -x : x;
+}
+
+InverseFilter PixelFilterShape::inverse() const {
+  // A single step: a density that is the same everywhere.
+  return {density_.size() == 2 && density_[0] == density_[1] ? nullptr : inverse_.data(),
+          negative_from_};
 }
 
 FilterOffset PixelFilterShape::offset(const Point2& point) const {

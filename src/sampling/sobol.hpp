@@ -51,10 +51,14 @@ ZRAKA_INLINE constexpr std::uint32_t second_sobol_reversed(std::uint32_t index) 
 /// A scrambled and shuffled sequence; the key says which. Each 2^k points from a multiple of 2^k on
 /// have one in each of the 2^k equal rectangles that halving the square makes, of any shape: a
 /// (0,2)-sequence.
-class Sobol2 {
- public:
+struct Sobol2 {
+  std::uint32_t shuffle, scramble_u, scramble_v;
+
   constexpr explicit Sobol2(std::uint32_t key)
-      : shuffle_(hash(key, 0)), u_(hash(key, 1)), v_(hash(key, 2)) {}
+      : Sobol2(hash(key, 0), hash(key, 1), hash(key, 2)) {}
+  /// From keys that another one had.
+  ZRAKA_INLINE constexpr Sobol2(std::uint32_t for_order, std::uint32_t for_u, std::uint32_t for_v)
+      : shuffle(for_order), scramble_u(for_u), scramble_v(for_v) {}
 
   constexpr Point2 operator[](std::uint32_t index) const {
     std::uint32_t u = 0, v = 0;
@@ -65,13 +69,10 @@ class Sobol2 {
   /// The same, in 2^-32.
   ZRAKA_INLINE constexpr void find_bits(std::uint32_t index, std::uint32_t& u,
                                         std::uint32_t& v) const {
-    const std::uint32_t at = reverse_bits(scramble_reversed(reverse_bits(index), shuffle_));
-    u = reverse_bits(scramble_reversed(at, u_));
-    v = reverse_bits(scramble_reversed(second_sobol_reversed(at), v_));
+    const std::uint32_t at = reverse_bits(scramble_reversed(reverse_bits(index), shuffle));
+    u = reverse_bits(scramble_reversed(at, scramble_u));
+    v = reverse_bits(scramble_reversed(second_sobol_reversed(at), scramble_v));
   }
-
- private:
-  std::uint32_t shuffle_, u_, v_;
 };
 
 /// One point of it.
