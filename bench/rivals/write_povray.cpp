@@ -37,7 +37,59 @@ const Texture* checker_of(const Scene& scene, const Material& m) {
   return nullptr;
 }
 
+std::string rgb(const Share& share) {
+  return fmt::format("rgb <{:.9g},{:.9g},{:.9g}>", share.r, share.g, share.b);
+}
+
+void add_highlight_and_mirror(const Material& m, Text& out) {
+  const double shininess = std::max(m.shininess, 1e-3);
+  if (mean(m.specular) > 0 && m.highlight == Highlight::blinn)  // as POV-Ray's specular is
+    out.add("specular {:.9g} roughness {:.9g} ", mean(m.specular), 1 / shininess);
+  else if (mean(m.specular) > 0)
+    out.add("phong {:.9g} phong_size {:.9g} ", mean(m.specular), shininess);
+  if (m.fresnel != Fresnel::off)  // takes from k2 what it gives to k1, which is 0 here
+    out.add("reflection {{ {} fresnel on }} conserve_energy ", rgb(m.refraction));
+  else if (m.reflection.most() > 0)
+    out.add("reflection {{ {} }} ", rgb(m.reflection));
+}
+
+void add_interior(const Material& m, Text& out) {
+  if (!(m.refraction.most() > 0)) return;
+  out.add(" interior {{ ior {:.9g} ", m.ior);
+  // From a power of 1000 on it fades by exp(-(1 - color)·depth/distance).
+  if (m.absorption.r > 0 || m.absorption.g > 0 || m.absorption.b > 0)
+    out.add("fade_power 1001 fade_distance 1 fade_color <{:.9g},{:.9g},{:.9g}> ",
+            1 - m.absorption.r, 1 - m.absorption.g, 1 - m.absorption.b);
+  out.add("}}");
+}
+
+/// Clear bodies, whose shares are per channel: what passes has the pigment's colour.
+std::string clear_texture(const Material& m) {
+  Text out;
+  out.add("texture {{ pigment {{ rgbf <{:.9g},{:.9g},{:.9g},1> }} finish {{ ambient 0 diffuse 0 ",
+          m.refraction.r, m.refraction.g, m.refraction.b);
+  add_highlight_and_mirror(m, out);
+  out.add("}} }}");
+  add_interior(m, out);
+  return out.str();
+}
+
+void add_light(const Scene& scene, const Light& light, Text& out) {
+  const bool directional = light.kind == LightKind::directional;
+  // Far enough that it makes no difference to a byte.
+  const Vec3 from = directional ? light.direction * -1e6 : light.position;
+  out.add("light_source {{ {} rgb <{:.9g},{:.9g},{:.9g}> ", vector(from), light.color.r,
+          light.color.g, light.color.b);
+  if (directional) out.add("parallel point_at <0,0,0> ");
+  if (light.kind == LightKind::spot)
+    out.add("spotlight radius {:.9g} falloff {:.9g} tightness 0 point_at {} ", light.inner_deg,
+            light.outer_deg, vector(light.position + light.direction));
+  out.add("{}}}\n", scene.defaults.shadows == Shadows::off ? "shadowless " : "");
+}
+
 std::string texture(const Scene& scene, const Material& m) {
+  if (m.refraction.most() > 0 && mean(m.diffuse) == 0 && mean(m.ambient) == 0)
+    return clear_texture(m);
   // A share that is transmitted is taken from diffuse and ambient light; ours is not.
   const double through = std::min(m.refraction.r, 0.999), rest = 1 / (1 - through);
   const auto share = [](double ka, double kd) { return kd > 0 ? ka / kd : 0; };
@@ -61,11 +113,9 @@ std::string texture(const Scene& scene, const Material& m) {
     out.add("finish {{ ambient rgb <{:.9g},{:.9g},{:.9g}> diffuse {:.9g} ", ambient.r * rest,
             ambient.g * rest, ambient.b * rest, kd > 0 ? rest : 0);
   }
-  if (mean(m.specular) > 0)
-    out.add("phong {:.9g} phong_size {:.9g} ", mean(m.specular), std::max(m.shininess, 1e-3));
-  if (m.reflection.r > 0) out.add("reflection {:.9g} ", m.reflection.r);
+  add_highlight_and_mirror(m, out);
   out.add("}} }}");
-  if (m.refraction.r > 0) out.add(" interior {{ ior {:.9g} }}", m.ior);
+  add_interior(m, out);
   return out.str();
 }
 
@@ -91,10 +141,7 @@ std::string translate(const Scene& scene) {
   add_camera(scene, out);
   out.add("background {{ rgb <{:.9g},{:.9g},{:.9g}> }}\n", scene.background.r, scene.background.g,
           scene.background.b);
-  for (const Light& light : scene.lights)
-    out.add("light_source {{ {} rgb <{:.9g},{:.9g},{:.9g}> {} }}\n", vector(light.position),
-            light.color.r, light.color.g, light.color.b,
-            scene.defaults.shadows == Shadows::off ? "shadowless" : "");
+  for (const Light& light : scene.lights) add_light(scene, light, out);
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
     out.add("#macro M{}() {} #end\n", i, texture(scene, scene.materials[i]));
 
