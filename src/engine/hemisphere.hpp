@@ -28,7 +28,7 @@ ZRAKA_INLINE void basis_of(const V3<R>& n, V3<R>& a, V3<R>& b) {
 template <class R>
 void make_hemisphere(const Sobol2& points, std::uint32_t first, std::size_t count,
                      const V3<R>& normal, std::size_t at, Scratch<R>& scratch) {
-  constexpr std::size_t kChunk = 64;
+  constexpr std::size_t kChunk = 16;
   constexpr R kQuarter = R(0.78539816339744830962);  // π/4
   constexpr R kUnit = R(0x1p-23), kHalf = R(0x1p-24);
   V3<R> a, b;

@@ -196,7 +196,9 @@ template <class R>
 void find_hits(const Batch<R>& batch) {
   Level<R>& level = batch.level;
   batch.services.find_hits(batch.scene, level, batch.scratch);
-  for (std::size_t h = 0; h < batch.hit_count(); ++h)
+  const bool has_media = batch.optics().absorbing || batch.optics().nested;
+  const bool wants_bodies = has_media || batch.general.listener != nullptr;
+  for (std::size_t h = 0; wants_bodies && h < batch.hit_count(); ++h)
     batch.hits[h].body =
         body_of(batch.scene, batch.scratch.paths[h], batch.scratch.material[h]);
   if (batch.optics().nested) pass_hidden_surfaces(batch);
@@ -214,14 +216,14 @@ void find_hits(const Batch<R>& batch) {
   }
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     HitState<R>& hit = batch.hits[h];
-    const std::uint64_t body = hit.body;
+    const std::uint64_t body = wants_bodies ? hit.body : 0;
     hit = {};
     hit.body = body;
     hit.material = batch.scratch.material[h];
-    hit.enclosing = has_inside(batch.scene, batch.scratch.paths[h]);
+    hit.enclosing = wants_bodies && has_inside(batch.scene, batch.scratch.paths[h]);
     hit.medium = -1;
     hit.transmittance = {R(1), R(1), R(1)};
-    if (!batch.optics().absorbing && !batch.optics().nested) continue;
+    if (!has_media) continue;
     RayState<R>& ray = batch.ray_of(h);
     // What a ray leaves it has been inside of, whether or not it is known how it came in.
     if (hit.enclosing && batch.from_inside(h) && !(is_zero(batch.material(h).k2) && !batch.material(h).textured_k2))

@@ -24,8 +24,16 @@ struct Medium {
 /// forgotten.
 struct Inside {
   static constexpr int kMost = 8;
-  Medium list[kMost];
-  std::int32_t count = 0;
+  Medium list[kMost];  ///< no values beyond `count`: rays are made by the million
+  std::int32_t count;
+
+  Inside() : count(0) {}
+  Inside(const Inside& other) : count(0) { *this = other; }
+  Inside& operator=(const Inside& other) {
+    count = other.count;
+    for (std::int32_t i = 0; i < count; ++i) list[i] = other.list[i];
+    return *this;
+  }
 
   bool has(std::uint64_t body) const {
     for (std::int32_t i = 0; i < count; ++i)
