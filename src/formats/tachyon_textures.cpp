@@ -204,7 +204,16 @@ bool TachyonReader::read_image_pattern(int function, TachyonSurface& s) {
       warn(at, "TEXFUNC 10 has the same slice of its image everywhere");
   }
   const std::shared_ptr<const Image> image = image_named(at, name, slice);
+  s.r = s.g = s.b = 1;
   if (image == nullptr) return true;  // said already
+  std::vector<double> key{static_cast<double>(function)};
+  for (const Vec3& v : {center, rotate, scale, u_axis, v_axis})
+    key.insert(key.end(), {v.x, v.y, v.z});
+  key.push_back(slice);
+  for (const char c : name) key.push_back(c);
+  const auto [known, fresh] = pattern_of_.try_emplace(std::move(key), patterns_.size());
+  s.pattern = static_cast<double>(known->second + 1);
+  if (!fresh) return true;
   Texture t;
   t.kind = TextureKind::image;
   t.file = name;
@@ -222,14 +231,14 @@ bool TachyonReader::read_image_pattern(int function, TachyonSurface& s) {
     const auto map = plane_map(scaled(u_axis, scale.x), scaled(v_axis, -scale.y), center,
                                rotate.x + half_u, 1 - rotate.y - half_v);
     if (!map) {
-      warn(at, "UAXIS and VAXIS of a texture are parallel, or it has no SCALE: one colour is drawn");
+      warn(at, "UAXIS and VAXIS of a texture are parallel, or it has no SCALE: white is drawn");
+      pattern_of_.erase(known);
+      s.pattern = 0;
       return true;
     }
     t.transform = *map;
   }
-  s.r = s.g = s.b = 1;
   patterns_.push_back(std::move(t));
-  s.pattern = static_cast<double>(patterns_.size());
   return true;
 }
 
@@ -248,15 +257,16 @@ std::shared_ptr<const Image> TachyonReader::image_named(const char* at, const st
     for (std::size_t i = 0; i < whole.pixels.size(); ++i)
       whole.pixels[i] = static_cast<float>(defined->second.texels[from + i]) / 255;
   } else if (name.starts_with("::")) {
-    warn(at, fmt::format("there is no IMAGEDEF '{}' before this: one colour is drawn", shown(name)));
+    warn(at, fmt::format("there is no IMAGEDEF '{}' before this: white is drawn", shown(name)));
     return nullptr;
   } else if (!options_.folder) {
-    warn(at, fmt::format("{} cannot be read: files beside the scene need a folder", shown(name)));
+    warn(at, fmt::format("{} cannot be read, and white is drawn: files beside the scene need a folder", shown(name)));
     return nullptr;
   } else {
     const Result<std::shared_ptr<const Image>> read = images_.load(name, Transfer::linear);
     if (!read) {
-      warn(at, fmt::format("{} cannot be read: {}", shown(name), read.error()[0].message),
+      warn(at, fmt::format("{} cannot be read, and white is drawn: {}", shown(name),
+                           read.error()[0].message),
            read.error()[0].hint);
       return nullptr;
     }
