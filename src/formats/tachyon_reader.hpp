@@ -135,15 +135,20 @@ class TachyonReader {
                    const TachyonSurface& surface);
   void add_infinite_cylinders();
 
+  // tachyon_images.cpp
+  bool read_imagedef();
+  /// The first row is where v is 0.
+  std::shared_ptr<const Image> image_named(const char* at, const std::string& name, int slice);
+  Result<Image> read_picture(const std::string& name);
+  Result<Image> read_targa(const std::string& name);
+
   // tachyon_textures.cpp
   bool read_texdef();
   bool read_texalias();
-  bool read_imagedef();
   bool surface(std::uint32_t& material);
   bool surface_body(TachyonSurface& surface, bool painted);
   bool read_pattern(int function, TachyonSurface& surface);
   bool read_image_pattern(int function, TachyonSurface& surface);
-  std::shared_ptr<const Image> image_named(const char* at, const std::string& name, int slice);
   std::uint32_t material_of(const TachyonSurface& surface);
 
   // tachyon_materials.cpp: from surfaces to materials, once all is known.

@@ -37,14 +37,6 @@ std::optional<Transform> plane_map(const Vec3& a, const Vec3& b, const Vec3& cen
   return t;
 }
 
-/// One nibble; 16: none.
-unsigned hex_digit(char c) {
-  if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
-  if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a') + 10;
-  if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A') + 10;
-  return 16;
-}
-
 }  // namespace
 
 std::size_t TachyonReader::SurfaceHash::operator()(const TachyonSurface& s) const {
@@ -216,7 +208,6 @@ bool TachyonReader::read_image_pattern(int function, TachyonSurface& s) {
   if (!fresh) return true;
   Texture t;
   t.kind = TextureKind::image;
-  t.file = name;
   t.image = image;
   t.transfer = Transfer::linear;
   t.filter = TextureFilter::mip;
@@ -242,44 +233,6 @@ bool TachyonReader::read_image_pattern(int function, TachyonSurface& s) {
   return true;
 }
 
-/// Without its last row and column, between which and the first Tachyon shows nothing.
-std::shared_ptr<const Image> TachyonReader::image_named(const char* at, const std::string& name,
-                                                        int slice) {
-  const auto known = cut_images_.find({name, slice});
-  if (known != cut_images_.end()) return known->second;
-  std::shared_ptr<const Image>& kept = cut_images_[{name, slice}];
-  Image whole;
-  const auto defined = definitions_.find(name);
-  if (defined != definitions_.end()) {
-    const auto& [width, height, depth] = defined->second.size;
-    whole = Image(width, height);
-    const std::size_t from = std::size_t{3} * width * height * static_cast<std::size_t>(slice);
-    for (std::size_t i = 0; i < whole.pixels.size(); ++i)
-      whole.pixels[i] = static_cast<float>(defined->second.texels[from + i]) / 255;
-  } else if (name.starts_with("::")) {
-    warn(at, fmt::format("there is no IMAGEDEF '{}' before this: white is drawn", shown(name)));
-    return nullptr;
-  } else if (!options_.folder) {
-    warn(at, fmt::format("{} cannot be read, and white is drawn: files beside the scene need a folder", shown(name)));
-    return nullptr;
-  } else {
-    const Result<std::shared_ptr<const Image>> read = images_.load(name, Transfer::linear);
-    if (!read) {
-      warn(at, fmt::format("{} cannot be read, and white is drawn: {}", shown(name),
-                           read.error()[0].message),
-           read.error()[0].hint);
-      return nullptr;
-    }
-    whole = **read;
-  }
-  const std::uint32_t width = std::max(whole.width, 2u) - 1, height = std::max(whole.height, 2u) - 1;
-  Image cut(width, height);
-  for (std::uint32_t y = 0; y < height; ++y)
-    std::copy_n(whole.row(y), std::size_t{3} * width, cut.row(y));
-  kept = std::make_shared<const Image>(std::move(cut));
-  return kept;
-}
-
 bool TachyonReader::read_texdef() {
   std::string name;
   if (!file_name("a name", name)) return false;
@@ -298,48 +251,6 @@ bool TachyonReader::read_texalias() {
   if (named == names_.end())
     warn(at, fmt::format("there is no TEXDEF '{}' before this: white is taken", shown(other)));
   names_[name] = named == names_.end() ? TachyonSurface{} : named->second;
-  return true;
-}
-
-bool TachyonReader::read_imagedef() {
-  std::string name;
-  if (!file_name("a name", name) || !expect("FORMAT") || !expect("RGB24") || !expect("RESOLUTION"))
-    return false;
-  const char* at = in_->place();
-  Definition image;
-  std::uint64_t texels = 1;
-  for (std::uint32_t& side : image.size) {
-    std::size_t n = 0;
-    if (!count(n, "RESOLUTION", 1, static_cast<double>(kMaxPixels))) return false;
-    side = static_cast<std::uint32_t>(n);
-    texels *= n;  // of three numbers of 27 bits
-    if (texels == 0 || texels > kMaxPixels)
-      return fail(at, fmt::format("RESOLUTION of IMAGEDEF has {} texels: expected from 1 to {}", texels,
-                                  kMaxPixels));
-  }
-  if (!expect("ENCODING") || !expect("HEX")) return false;
-  if (4 * texels > in_->left() + 1)
-    return fail(at, fmt::format("RESOLUTION of IMAGEDEF has {} texels, more than the rest of the file "
-                                "can hold",
-                                texels));
-  image.texels.reserve(3 * texels);
-  for (std::uint64_t i = 0; i < texels; ++i) {
-    const char* const place = in_->place();
-    const std::string_view word = in_->take();
-    const std::size_t digits = word.size() / 3;
-    bool good = word.size() % 3 == 0 && digits >= 1 && digits <= 4;
-    for (std::size_t k = 0; good && k < 3; ++k) {
-      const unsigned high = hex_digit(word[k * digits]);
-      const unsigned low = hex_digit(word[k * digits + (digits > 1 ? 1 : 0)]);
-      for (std::size_t d = 0; d < digits; ++d) good = good && hex_digit(word[k * digits + d]) < 16;
-      image.texels.push_back(static_cast<unsigned char>(16 * high + low));
-    }
-    if (!good)
-      return fail(place, fmt::format("'{}' is no colour of IMAGEDEF: expected 3, 6, 9 or 12 "
-                                     "hexadecimal digits",
-                                     shown(word)));
-  }
-  definitions_[name] = std::move(image);
   return true;
 }
 
