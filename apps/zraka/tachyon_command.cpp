@@ -124,8 +124,10 @@ Result<ReadScene> read(const TachyonArguments& arguments) {
   if (is_nff) return read_scene(arguments.scene);
   ReadOptions options;
   options.folder = path.parent_path().string();
+  TachyonSettings settings = arguments.settings;
+  if (arguments.width > 0) settings.resolution = Resolution{arguments.width, arguments.height};
   return parse_tachyon(*text, arguments.scene == "-" ? "standard input" : arguments.scene, options,
-                       arguments.settings);
+                       settings);
 }
 
 int run(const TachyonArguments& arguments) {
@@ -141,14 +143,6 @@ int run(const TachyonArguments& arguments) {
       warnings.push_back({.severity = Severity::warning, .message = fmt::format("{} is left out", option)});
   show(warnings);
   Scene& scene = read_in->scene;
-  if (arguments.width > 0) {
-    // The window keeps its height, as with Tachyon.
-    const double wider = static_cast<double>(arguments.width) / arguments.height /
-                         (static_cast<double>(scene.resolution.width) / scene.resolution.height);
-    Vec3& right = scene.camera.window_right;
-    right = {right.x * wider, right.y * wider, right.z * wider};
-    scene.resolution = {arguments.width, arguments.height};
-  }
   RenderOptions options;
   options.profile = profile_of(ProfileName::tachyon);
   options.max_depth = arguments.depth ? std::clamp(*arguments.depth - 1, 0, kMaxDepth)

@@ -13,6 +13,7 @@ enum class TachyonMode { full, medium, low, lowest };
 
 /// What overrides the file.
 struct TachyonSettings {
+  std::optional<Resolution> resolution{};
   std::optional<TachyonMode> mode{};
   std::optional<bool> shadow_filter{};
   bool trans_vmd = false;       ///< what is transparent shines less by itself

@@ -99,6 +99,7 @@ bool TachyonReader::read_camera() {
 
 /// A ray goes through the upper right corner of a pixel, so the window is moved by half of one.
 void TachyonReader::set_camera() {
+  scene_.resolution = settings_.resolution.value_or(scene_.resolution);
   const double columns = scene_.resolution.width, rows = scene_.resolution.height;
   const double height = 1 / zoom_, width = columns / rows / aspect_ / zoom_;
   std::array<double, 4> sides{-width / 2, width / 2, -height / 2, height / 2};

@@ -42,16 +42,13 @@ bool TachyonReader::read_light() {
   return true;
 }
 
-/// Not normalised: a long direction is a bright light.
 bool TachyonReader::read_directional_light() {
   const char* const at = in_->place();
   Light light;
   light.kind = LightKind::directional;
   Vec3& way = light.direction;
   if (!vector_of("DIRECTION", way) || !color_of("COLOR", light.color)) return false;
-  const double length = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
-  if (!(length > 0)) return fail(at, "DIRECTION of DIRECTIONAL_LIGHT is 0 0 0");
-  light.color = {light.color.r * length, light.color.g * length, light.color.b * length};
+  if (way == Vec3{}) return fail(at, "DIRECTION of DIRECTIONAL_LIGHT is 0 0 0");
   scene_.lights.push_back(light);
   return true;
 }

@@ -34,6 +34,17 @@ void TachyonReader::add_texture(Material& material, Coefficient coefficient, con
   scene_.textures.push_back(std::move(t));
 }
 
+/// What the lights' colours are on average: METAL's highlight does not have them, so they are
+/// divided by.
+Color TachyonReader::mean_light() const {
+  Color sum;
+  for (const Light& light : scene_.lights)
+    sum = {sum.r + light.color.r, sum.g + light.color.g, sum.b + light.color.b};
+  const double n = static_cast<double>(scene_.lights.size());
+  const auto mean = [&](double s) { return s > 0 ? s / n : 1.0; };
+  return {mean(sum.r), mean(sum.g), mean(sum.b)};
+}
+
 Material TachyonReader::material_from(const TachyonSurface& s) {
   Material m;
   m.highlight = settings_.highlight.value_or(Highlight::blinn);
@@ -52,7 +63,9 @@ Material TachyonReader::material_from(const TachyonSurface& s) {
   const Color color = mode_ == TachyonMode::lowest ? Color{1, 1, 1} : Color{s.r, s.g, s.b};
   m.ambient = scaled(color, ambient);
   m.diffuse = scaled(color, diffuse);
-  m.specular = s.metal != 0 ? scaled(color, highlight) : Color{highlight, highlight, highlight};
+  const Color c = scaled(color, highlight), light = mean_light();
+  m.specular = s.metal != 0 ? Color{c.r / light.r, c.g / light.g, c.b / light.b}
+                            : Color{highlight, highlight, highlight};
   m.shininess = s.shininess;
   m.reflection = mirror;
   m.refraction = through;
@@ -60,7 +73,8 @@ Material TachyonReader::material_from(const TachyonSurface& s) {
     const Texture pattern = patterns_[static_cast<std::size_t>(s.pattern) - 1];
     add_texture(m, Coefficient::ambient, pattern, ambient);
     add_texture(m, Coefficient::diffuse, pattern, diffuse);
-    if (s.metal != 0) add_texture(m, Coefficient::specular, pattern, highlight);
+    if (s.metal != 0)
+      add_texture(m, Coefficient::specular, pattern, 3 * highlight / (light.r + light.g + light.b));
   }
   return m;
 }

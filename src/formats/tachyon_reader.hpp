@@ -153,6 +153,7 @@ class TachyonReader {
 
   // tachyon_materials.cpp: from surfaces to materials, once all is known.
   void set_materials();
+  Color mean_light() const;
   Material material_from(const TachyonSurface& surface);
   void add_texture(Material& material, Coefficient coefficient, const Texture& pattern,
                    double factor);

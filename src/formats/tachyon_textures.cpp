@@ -210,7 +210,7 @@ bool TachyonReader::read_image_pattern(int function, TachyonSurface& s) {
   t.kind = TextureKind::image;
   t.image = image;
   t.transfer = Transfer::linear;
-  t.filter = TextureFilter::mip;
+  t.filter = TextureFilter::bilinear;
   // Tachyon's v goes down, and from the middle of the first texel to that of the last.
   const double half_u = 0.5 / image->width, half_v = 0.5 / image->height;
   if (function == 7 || function == 8) {
@@ -238,7 +238,7 @@ bool TachyonReader::read_texdef() {
   if (!file_name("a name", name)) return false;
   TachyonSurface surface;
   if (!surface_body(surface, false)) return false;
-  names_[name] = surface;
+  names_.try_emplace(name, surface);  // of several the first counts
   return true;
 }
 
@@ -250,7 +250,7 @@ bool TachyonReader::read_texalias() {
   const auto named = names_.find(other);
   if (named == names_.end())
     warn(at, fmt::format("there is no TEXDEF '{}' before this: white is taken", shown(other)));
-  names_[name] = named == names_.end() ? TachyonSurface{} : named->second;
+  names_.try_emplace(name, named == names_.end() ? TachyonSurface{} : named->second);
   return true;
 }
 
