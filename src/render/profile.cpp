@@ -49,7 +49,9 @@ Profile profile_of(ProfileName name) {
               .clamp_levels = false,
               .index_is_ratio = false,
               .mirror_when_total = false,
-              .transfer = Transfer::linear};
+              .transfer = Transfer::linear,
+              .filter_surfaces = true,
+              .sky_beyond = true};
   }
   return {};
 }

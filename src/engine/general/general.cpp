@@ -293,6 +293,24 @@ void fold(const Batch<R>& batch, const Level<R>* next, const RayState<R>* next_r
   level.in_batch = 0;
 }
 
+/// What rays bring that are too deep to be traced: the sky's colour.
+template <class R>
+void add_sky_beyond(const Batch<R>& batch) {
+  const Terms& terms = batch.settings.terms;
+  HitArrays<R>& hits = batch.level.hits;
+  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+    const OpticalMaterial& material = batch.material(h);
+    const V3<double> normal = batch.normal(h), view = batch.view(h);
+    V3<R> color{hits.r[h], hits.g[h], hits.b[h]};
+    if (terms.reflection)
+      color = color + reflection_of(material, batch.row(h)) *
+                          sky_color(batch.scene, normal * (2 * dot(view, normal)) - view);
+    if (terms.refraction)
+      color = color + refraction_of(material, batch.row(h)) * sky_color(batch.scene, -view);
+    hits.r[h] = color.x, hits.g[h] = color.y, hits.b[h] = color.z;
+  }
+}
+
 template <class R>
 void trace_batch(const Batch<R>& batch, std::int32_t size, Level<R>* next, RayState<R>* next_rays) {
   Level<R>& level = batch.level;
@@ -301,6 +319,7 @@ void trace_batch(const Batch<R>& batch, std::int32_t size, Level<R>* next, RaySt
   take_coefficients(batch.scene, level, batch.scratch);
   light_hits(batch);
   const Terms& terms = batch.settings.terms;
+  if (next == nullptr && batch.settings.sky_beyond && !terms.silhouette) add_sky_beyond(batch);
   if (next == nullptr || terms.silhouette || !(terms.reflection || terms.refraction)) return;
   spawn(batch, *next, next_rays);
   if (batch.general.listener != nullptr)
