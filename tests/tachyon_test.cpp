@@ -101,11 +101,12 @@ TEST(Tachyon, DepthOfFieldHasBothSpellings) {
     std::string text = kHead + kCamera;
     text.replace(text.find("Zoom"), 4,
                  std::string("Projection Perspective_DoF ") + word + " 4 Aperture 0.1 Zoom");
+    EXPECT_EQ(scene(text).camera.aperture, 0);  // one sample goes through its middle
+    text.replace(text.find("Antialiasing 0"), 14, "Antialiasing 8");
     const Scene s = scene(text);
     EXPECT_EQ(s.camera.focus_distance, 4);
-    expect_near(s.camera.window_center, {0.025, 0.025, -1});
-    // As large as a square of a tenth of the window's sides.
-    EXPECT_NEAR(s.camera.aperture, 2 * 0.1 * std::sqrt(2 / 3.14159265358979323846), 1e-12);
+    expect_near(s.camera.window_center, {0.025, 0.025, -4});
+    EXPECT_NEAR(s.camera.aperture, 0.1 * std::sqrt(2), 1e-12);  // of a window of 2 by 1
   }
 }
 
@@ -231,9 +232,11 @@ TEST(Tachyon, ImagesInTheFileAreLaidOntoPlanes) {
                         "UAXIS 1 0 0 VAXIS 0 1 0\n");
   ASSERT_EQ(s.textures.size(), 1u);
   const Image& image = *s.textures[0].image;
-  ASSERT_EQ(image.width, 2u);  // Tachyon goes from the middle of the first texel to the last
-  EXPECT_EQ(image.pixels[0], 1.0f);
-  EXPECT_EQ(image.pixels[4], 1.0f);
+  // Tachyon goes from the middle of the first texel to that of the last, and blends between.
+  ASSERT_EQ(image.width, 128u);
+  EXPECT_EQ(image.row(0)[0], 1.0f);
+  EXPECT_EQ(image.row(0)[3 * 32], 0.5f);
+  EXPECT_EQ(image.row(0)[3 * 64 + 1], 1.0f);
 }
 
 TEST(Tachyon, WhatIsLeftOutIsSaidWithItsLine) {

@@ -125,6 +125,7 @@ Result<ReadScene> read(const TachyonArguments& arguments) {
   ReadOptions options;
   options.folder = path.parent_path().string();
   TachyonSettings settings = arguments.settings;
+  if (arguments.samples) settings.samples = *arguments.samples;
   if (arguments.width > 0) settings.resolution = Resolution{arguments.width, arguments.height};
   return parse_tachyon(*text, arguments.scene == "-" ? "standard input" : arguments.scene, options,
                        settings);
@@ -149,7 +150,6 @@ int run(const TachyonArguments& arguments) {
                                       : scene.defaults.max_depth;
   options.shadows = scene.defaults.shadows;
   options.sampling = scene.defaults.sampling;
-  if (arguments.samples) options.sampling.count = *arguments.samples + 1;
   options.threads = arguments.threads;
   options.bind_threads = true;
   Result<Rendering> rendering;

@@ -14,6 +14,7 @@ enum class TachyonMode { full, medium, low, lowest };
 /// What overrides the file.
 struct TachyonSettings {
   std::optional<Resolution> resolution{};
+  std::optional<double> samples{};  ///< of a pixel, besides the first
   std::optional<TachyonMode> mode{};
   std::optional<bool> shadow_filter{};
   bool trans_vmd = false;       ///< what is transparent shines less by itself

@@ -100,6 +100,7 @@ bool TachyonReader::read_camera() {
 /// A ray goes through the upper right corner of a pixel, so the window is moved by half of one.
 void TachyonReader::set_camera() {
   scene_.resolution = settings_.resolution.value_or(scene_.resolution);
+  samples_ = settings_.samples.value_or(samples_);
   const double columns = scene_.resolution.width, rows = scene_.resolution.height;
   const double height = 1 / zoom_, width = columns / rows / aspect_ / zoom_;
   std::array<double, 4> sides{-width / 2, width / 2, -height / 2, height / 2};
@@ -111,14 +112,12 @@ void TachyonReader::set_camera() {
   Camera& camera = scene_.camera;
   camera.eye = center_;
   const Vec3 aside = sum(scaled(right, across), scaled(up, above));
-  camera.window_center = sum(sum(center_, scaled(view, focal_length_)), aside);
+  camera.window_center = sum(sum(center_, view), aside);
   camera.window_right = scaled(right, other - left);
   camera.window_up = scaled(up, top - bottom);
-  if (projection_ == "PERSPECTIVE_DOF") {
-    // Tachyon's lens is as large as the window times the aperture; ours is round.
-    constexpr double kPi = 3.14159265358979323846;
-    const double area = std::fabs((other - left) * (top - bottom)) * aperture_ * aperture_;
-    camera.aperture = 2 * std::sqrt(area / kPi);
+  // Without more samples Tachyon looks through the lens' middle alone.
+  if (projection_ == "PERSPECTIVE_DOF" && samples_ > 0) {
+    camera.aperture = aperture_ * std::sqrt(std::fabs((other - left) * (top - bottom)));
     camera.focus_distance = focal_length_;
   }
   if (projection_ == "ORTHOGRAPHIC") {

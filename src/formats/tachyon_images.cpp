@@ -19,6 +19,39 @@ unsigned hex_digit(char c) {
   return 16;
 }
 
+/// Texels in place of which there are more, so that what lies between the last and the first, where
+/// Tachyon shows nothing, is small.
+struct Finer {
+  std::uint32_t parts, count;
+  explicit Finer(std::uint32_t texels)
+      : parts(std::clamp(256 / std::max(texels - 1, 1u), 1u, 64u)),
+        count(texels > 1 ? (texels - 1) * parts : 1) {}
+};
+
+/// The image whose texels' middles, repeated, blend to what Tachyon blends between those of
+/// another.
+Image between_middles(const Image& whole) {
+  const Finer across(whole.width), down(whole.height);
+  Image image(across.count, down.count);
+  for (std::uint32_t y = 0; y < down.count; ++y) {
+    const std::uint32_t row = y / down.parts;
+    const auto below = static_cast<float>(y % down.parts) / static_cast<float>(down.parts);
+    const float* const upper = whole.row(row);
+    const float* const lower = whole.row(std::min(row + 1, whole.height - 1));
+    for (std::uint32_t x = 0; x < across.count; ++x) {
+      const std::size_t left = std::size_t{3} * (x / across.parts);
+      const std::size_t right = std::min(left + 3, std::size_t{3} * (whole.width - 1));
+      const auto aside = static_cast<float>(x % across.parts) / static_cast<float>(across.parts);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const float a = upper[left + k] + aside * (upper[right + k] - upper[left + k]);
+        const float b = lower[left + k] + aside * (lower[right + k] - lower[left + k]);
+        image.row(y)[std::size_t{3} * x + k] = a + below * (b - a);
+      }
+    }
+  }
+  return image;
+}
+
 }  // namespace
 
 Result<Image> TachyonReader::read_picture(const std::string& name) {
@@ -53,7 +86,7 @@ Result<Image> TachyonReader::read_targa(const std::string& name) {
   return image;
 }
 
-/// Without its last row and column, between which and the first Tachyon shows nothing.
+/// As Tachyon shows it, from the middle of the first texel to that of the last.
 std::shared_ptr<const Image> TachyonReader::image_named(const char* at, const std::string& name,
                                                         int slice) {
   const auto known = cut_images_.find({name, slice});
@@ -84,11 +117,7 @@ std::shared_ptr<const Image> TachyonReader::image_named(const char* at, const st
     }
     whole = std::move(*read);
   }
-  const std::uint32_t width = std::max(whole.width, 2u) - 1, height = std::max(whole.height, 2u) - 1;
-  Image cut(width, height);
-  for (std::uint32_t y = 0; y < height; ++y)
-    std::copy_n(whole.row(y), std::size_t{3} * width, cut.row(y));
-  kept = std::make_shared<const Image>(std::move(cut));
+  kept = std::make_shared<const Image>(between_middles(whole));
   return kept;
 }
 

@@ -211,7 +211,7 @@ bool TachyonReader::read_image_pattern(int function, TachyonSurface& s) {
   t.image = image;
   t.transfer = Transfer::linear;
   t.filter = TextureFilter::bilinear;
-  // Tachyon's v goes down, and from the middle of the first texel to that of the last.
+  // Tachyon's v goes down, and begins in the middle of a texel.
   const double half_u = 0.5 / image->width, half_v = 0.5 / image->height;
   if (function == 7 || function == 8) {
     t.mapping = function == 7 ? TextureMapping::cylinder : TextureMapping::sphere;
