@@ -22,7 +22,6 @@ TEST(ForeignFormats, AreNamed) {
       {"data_1ABC\nloop_\n", "a CIF file"},
       {"3\nwater: 1, 2, 3\nO 0.0 0.0 0.1\nH 0 0.7 -0.4\nH 0 -0.7 -0.4\n", "an XYZ file"},
       {"\x93NUMPY\x01", "a NumPy array (.npy)"},
-      {"# made by VMD\nBEGIN_SCENE\nRESOLUTION 640 480\n", "a Tachyon scene"},
       {"// a scene\n#include \"colors.inc\"\n", "a POV-Ray scene"},
       {"#version 3.7;\nglobal_settings { assumed_gamma 1 }\n", "a POV-Ray scene"},
       {"ply\nformat ascii 1.0\n", "a PLY mesh"},

@@ -174,8 +174,8 @@ TEST(SceneLanguage, SuggestsWhatMayBeMeant) {
             "  colour_depth = 1\n  ^\n"
             "  fields of image: width, height\n");
   EXPECT_EQ(answer("[render]\nprofile = \"Lab\"\n"),
-            "s.toml:2:11: error: profile of render is \"Lab\": expected \"lab\", \"physical\" or "
-            "\"spd\"\n"
+            "s.toml:2:11: error: profile of render is \"Lab\": expected \"lab\", \"physical\", "
+            "\"spd\" or \"tachyon\"\n"
             "  profile = \"Lab\"\n            ^\n"
             "  did you mean 'lab'?\n");
 }

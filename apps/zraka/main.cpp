@@ -6,12 +6,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <functional>
 #include <new>
 #include <string>
+#include <variant>
 #include <zraka/zraka.hpp>
 
 #include "commands.hpp"
 #include "core/new_file.hpp"
+#include "tachyon_command.hpp"
 #include "terminal.hpp"
 
 namespace zraka::app {
@@ -24,7 +27,26 @@ std::string version_text() {
                      ZRAKA_VERSION, ZRAKA_ISAS_BUILT, isas, isa_in_use());
 }
 
+/// The exit code, once all that was printed is out.
+int finished(const std::function<int()>& action) {
+  int code = kFailed;
+  try {
+    code = action();
+  } catch (const std::bad_alloc&) {
+    Diagnostic problem;
+    problem.message = "there is not enough memory for this";
+    return fail({problem});
+  }
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  Diagnostic problem;
+  problem.file = "standard output";
+  problem.message = "cannot be written";
+  return std::max(code, fail({problem}));
+}
+
 int run(int argc, char** argv) {
+  if (is_called_tachyon(argc > 0 ? argv[0] : nullptr))
+    return finished([&] { return run_tachyon(argc, argv); });
   Program program(
       "zraka",
       "A Whitted ray tracer: exact to the bit, and able to say why each pixel has its colour.",
@@ -40,19 +62,7 @@ int run(int argc, char** argv) {
   for (const AddCommand add : kCommands) add(program.command());
   const auto read = program.read(argc, argv);
   if (const int* code = std::get_if<int>(&read)) return *code;
-  int code = kFailed;
-  try {
-    code = std::get<std::function<int()>>(read)();
-  } catch (const std::bad_alloc&) {
-    Diagnostic problem;
-    problem.message = "there is not enough memory for this";
-    return fail({problem});
-  }
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-  Diagnostic problem;
-  problem.file = "standard output";
-  problem.message = "cannot be written";
-  return std::max(code, fail({problem}));
+  return finished(std::get<std::function<int()>>(read));
 }
 
 /// The last word where an exception cannot be caught, as that of oneTBB's where the system starts

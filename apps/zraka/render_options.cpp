@@ -80,8 +80,9 @@ void RenderArguments::add_to(Command& command, Needs scene_needed) {
   command
       .add("--profile", &profile,
            "lab (the course's rules, default for input.txt), physical (optics' rules, default for "
-           "all else) or spd (the Standard Procedural Databases' rules for counting rays)")
-      .check("lab, physical or spd",
+           "all else), spd (the Standard Procedural Databases' rules for counting rays) or tachyon "
+           "(default for Tachyon's scenes)")
+      .check("lab, physical, spd or tachyon",
              [](const std::string& name) { return profile_named(name).has_value(); });
   command.add("--threads", &threads, "how many threads; 0, the default, is all that there are")
       .range(0, kMaxThreads);

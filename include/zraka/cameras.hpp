@@ -26,6 +26,8 @@ struct Camera {
   /// view all is in focus.
   double aperture = 0, focus_distance = 1;
   double fov_deg = 180;  ///< fisheye: the angle of view over the picture's height
+  /// panorama: the degrees of longitude and of latitude that it shows, around the view.
+  double longitude_deg = 360, latitude_deg = 180;
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 

@@ -49,6 +49,9 @@ struct Profile {
   bool mirror_when_total =
       true;  ///< total internal reflection reflects k2's share, else it is black
   Transfer transfer = Transfer::srgb;
+  /// Transparent shadows: every surface takes its share of the light, not every body.
+  bool filter_surfaces = false;
+  bool sky_beyond = false;  ///< rays too deep to be traced have the sky's colour, not black
 };
 Profile profile_of(ProfileName name);
 std::string_view name_of(ProfileName name);

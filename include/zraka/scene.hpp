@@ -37,6 +37,7 @@ struct Material {
   /// material of a scene has one, what a ray leaves for is always the outside, as in the lab.
   int priority = 0;
   Dispersion dispersion{};
+  bool casts_shadow = true;  ///< else shadow rays go through, whatever it is
   std::vector<TextureUse> textures{};  ///< coefficients that textures give, each at most once
   NormalUse normals{};
   friend bool operator==(const Material&, const Material&) = default;
@@ -66,9 +67,10 @@ struct Resolution {
   std::uint32_t height = 400;
 };
 
-/// Ways to make a picture of a scene (docs/profiles.md): the lab's, to the letter; optics'; and the
-/// one by which the Standard Procedural Databases count rays.
-enum class ProfileName { lab, physical, spd };
+/// Ways to make a picture of a scene (docs/profiles.md): the lab's, to the letter; optics'; the one
+/// by which the Standard Procedural Databases count rays; and Tachyon's, which stores light as it
+/// is.
+enum class ProfileName { lab, physical, spd, tachyon };
 
 /// What shadow rays do.
 enum class Shadows {
@@ -114,6 +116,7 @@ struct Scene : ShapeLists {
   Color ambient_light{0.5, 0.5, 0.5};  ///< Ia
   AmbientOcclusion ambient_occlusion{};
   Sky sky{};
+  Fog fog{};
   std::vector<Light> lights;
   std::vector<Material> materials;
   std::vector<Transform> transforms;  ///< that shapes name

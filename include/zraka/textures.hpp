@@ -32,8 +32,10 @@ enum class TextureKind : std::uint8_t { ZRAKA_TEXTURES(ZRAKA_ENUMERATE) };
 #undef ZRAKA_ENUMERATE
 
 /// Where a texture is looked up: at the point in space, or at the surface's u and v. Of an image in
-/// space x and y are taken for u and v, of others over a surface u and v for x and y.
-enum class TextureMapping : std::uint8_t { solid, uv };
+/// space x and y are taken for u and v, of others over a surface u and v for x and y. Or rolled
+/// round the y axis of the texture's space, whatever the shape: u goes once round from 0 at x = 0 to
+/// 1, and v is the height y, or, round a sphere, the angle from straight down over half a turn.
+enum class TextureMapping : std::uint8_t { solid, uv, cylinder, sphere };
 /// What is beyond the end of an image or a gradient: it once more, its edge, or its mirror image.
 enum class TextureWrap : std::uint8_t { repeat, clamp, mirror };
 /// How an image is looked up: the texel, what lies between the four around, or the mean over what a
@@ -56,6 +58,8 @@ struct Texture {
   double turbulence = 0;   ///< how far noise bends marble, wood and rings, in sizes
   int octaves = 4;         ///< of noise and turbulence, 1 or more: each has half the grain before
   std::uint32_t seed = 0;  ///< of noise and turbulence
+  /// cylinder, sphere: how often it goes round, from how far on, and the same for v.
+  double repeat_u = 1, repeat_v = 1, offset_u = 0, offset_v = 0;
   std::string file;        ///< of an image, as it was written
   /// Linear light; the first row is at v = 1, the left edge at u = 0. None: black.
   std::shared_ptr<const Image> image;

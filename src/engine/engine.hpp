@@ -33,6 +33,7 @@ struct TraceSettings {
   float unit = 1;  ///< length of the engine's unit in the scene's
   // Of the general engine.
   bool transparent_shadows = false;
+  bool filter_surfaces = false, sky_beyond = false;  ///< Profile's
   double min_contribution = 0;
   double brightest = 0;  ///< no ray brings more, by any channel
   std::uint32_t seed = 0;

@@ -92,8 +92,6 @@ constexpr Known kKnown[] = {
     {is_xyz, {"an XYZ file", "datoteka XYZ"}},
     {[](std::string_view t) { return t.starts_with("\x93NUMPY"); },
      {"a NumPy array (.npy)", "NumPyjevo polje (.npy)"}},
-    {[](std::string_view t) { return first_statement(t, "#").starts_with("BEGIN_SCENE"); },
-     {"a Tachyon scene", "Tachyonova scena"}},
     {is_povray, {"a POV-Ray scene", "POV-Rayeva scena"}},
     {[](std::string_view t) { return t.starts_with("ply\n") || t.starts_with("ply\r"); },
      {"a PLY mesh", "mreža PLY"}},

@@ -21,6 +21,8 @@ constexpr std::array kFormats = {
     Format{"NFF", "nff", ".nff", std::uint64_t{1} << 36, likeness_to_nff, parse_nff, write_nff},
     Format{"TOML", "toml", ".toml", std::uint64_t{1} << 30, likeness_to_toml, parse_toml,
            write_toml_scene},
+    Format{"Tachyon", "tachyon", ".dat", std::uint64_t{1} << 36, likeness_to_tachyon,
+           parse_tachyon_scene, nullptr},
     Format{"lab input.txt", "lab", "", std::uint64_t{1} << 30, likeness_to_lab_input,
            parse_lab_input, write_lab_scene},
 };
@@ -74,11 +76,12 @@ Result<ReadScene> parse_scene(std::string_view text, const std::string& name,
 
 Result<WrittenScene> write_scene(const Scene& scene, std::string_view format) {
   for (const Format& each : kFormats)
-    if (each.key == format || ends_with(format, each.ending)) return each.write(scene);
+    if (each.write != nullptr && (each.key == format || ends_with(format, each.ending)))
+      return each.write(scene);
   if (ends_with(format, ".txt")) return write_lab_scene(scene);  // a name that tells no reader
   std::string keys;
   for (const Format& each : kFormats)
-    keys += fmt::format("{}{}", keys.empty() ? "" : ", ", each.key);
+    if (each.write != nullptr) keys += fmt::format("{}{}", keys.empty() ? "" : ", ", each.key);
   return failure("", fmt::format("'{}' is no format that can be written", format),
                  fmt::format("formats: {}", keys));
 }

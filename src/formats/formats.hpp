@@ -23,7 +23,7 @@ struct Format {
   Likeness (*likeness)(std::string_view text);  ///< after a byte order mark, if there is one
   Result<ReadScene> (*parse)(std::string_view text, const std::string& name,
                              const ReadOptions& options);
-  Result<WrittenScene> (*write)(const Scene& scene);
+  Result<WrittenScene> (*write)(const Scene& scene);  ///< nullptr: it is only read
 };
 
 /// May stand before any UTF-8.
@@ -41,6 +41,10 @@ Result<ReadScene> parse_nff_by_blocks(std::string_view text, const std::string& 
 /// any problem with it, even one to warn of: parse_nff() has words for it.
 std::optional<ReadScene> read_nff_by_blocks(LargeFile& file, const std::string& name,
                                             std::size_t block);
+/// Sure where the text begins, comments aside, with BEGIN_SCENE.
+Likeness likeness_to_tachyon(std::string_view text);
+Result<ReadScene> parse_tachyon_scene(std::string_view text, const std::string& name,
+                                      const ReadOptions& options = {});
 /// Sure where the text begins with a label or a value, possible where its first line may have been
 /// meant as one, or if it is empty or no text, which the reader has words for.
 Likeness likeness_to_lab_input(std::string_view text);

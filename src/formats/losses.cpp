@@ -41,6 +41,7 @@ void Losses::material(const Material& material) {
   count("materials: Fresnel's law", material.fresnel != Fresnel::off);
   count("materials: absorption", material.absorption != Color{});
   count("materials: priority", material.priority != 0);
+  count("materials: that they cast no shadow", !material.casts_shadow);
   count("materials: dispersion", material.dispersion.kind != Dispersion::Kind::none);
 }
 
@@ -56,6 +57,7 @@ void Losses::surroundings(const Scene& scene) {
   count("the camera's lens", scene.camera.aperture > 0);
   count("the sky's gradient", scene.sky.kind == Sky::Kind::gradient);
   count("the sky's picture", scene.sky.kind == Sky::Kind::image);
+  count("fog", scene.fog.kind != Fog::Kind::none);
   count("ambient occlusion", scene.ambient_occlusion.samples > 0);
 }
 

@@ -149,6 +149,8 @@ TraceSettings settings_of(const RenderOptions& options, const PreparedScene<R>& 
   settings.unit = static_cast<float>(prepared.frame.world_length(1));
   const FrozenOptics* const optics = prepared.store->scene.optics;
   if (optics == nullptr) return settings;
+  settings.filter_surfaces = options.profile.filter_surfaces;
+  settings.sky_beyond = options.profile.sky_beyond;
   settings.transparent_shadows = options.shadows == Shadows::transparent;
   settings.min_contribution = options.min_contribution;
   settings.seed = options.sampling.seed;

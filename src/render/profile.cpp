@@ -43,6 +43,15 @@ Profile profile_of(ProfileName name) {
               .index_is_ratio = false,
               .mirror_when_total = false,
               .transfer = Transfer::linear};
+    case ProfileName::tachyon:
+      return {.pixel_centers = true,
+              .average_corners = false,
+              .clamp_levels = false,
+              .index_is_ratio = false,
+              .mirror_when_total = false,
+              .transfer = Transfer::linear,
+              .filter_surfaces = true,
+              .sky_beyond = true};
   }
   return {};
 }
@@ -55,12 +64,15 @@ std::string_view name_of(ProfileName name) {
       return "physical";
     case ProfileName::spd:
       return "spd";
+    case ProfileName::tachyon:
+      return "tachyon";
   }
   return "";
 }
 
 std::optional<ProfileName> profile_named(std::string_view name) {
-  for (const ProfileName profile : {ProfileName::lab, ProfileName::physical, ProfileName::spd})
+  for (const ProfileName profile : {ProfileName::lab, ProfileName::physical, ProfileName::spd,
+                                    ProfileName::tachyon})
     if (name == name_of(profile)) return profile;
   return std::nullopt;
 }

@@ -94,8 +94,9 @@ FrozenCamera<R> freeze_camera(const Scene& scene, const Profile& profile, const 
   frozen.right = narrowed<R>(axes.right);
   frozen.down = narrowed<R>(axes.up * -1.0);
   const bool all_round = camera.kind == CameraKind::panorama;
-  frozen.step_down = (all_round ? kPi : camera.fov_deg * (kPi / 180)) / height;
-  frozen.step_right = all_round ? 2 * kPi / width : frozen.step_down;
+  const auto radians = [](double degrees) { return degrees * (kPi / 180); };
+  frozen.step_down = radians(all_round ? camera.latitude_deg : camera.fov_deg) / height;
+  frozen.step_right = all_round ? radians(camera.longitude_deg) / width : frozen.step_down;
   frozen.angle_right = frozen.step_right * (in_pixel - width / 2);
   frozen.angle_down = frozen.step_down * (in_pixel - height / 2);
   return frozen;

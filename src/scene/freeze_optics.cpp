@@ -29,7 +29,7 @@ double most_of(const V3<double>& v) {
 bool has_optics(const Material& m) {
   return !m.reflection.is_grey() || !m.refraction.is_grey() || m.highlight != Highlight::phong ||
          m.fresnel != Fresnel::off || m.absorption != Color{} || m.priority != 0 ||
-         m.dispersion.kind != Dispersion::Kind::none;
+         !m.casts_shadow || m.dispersion.kind != Dispersion::Kind::none;
 }
 
 /// In the engine's frame; its numbers, like those of points, may be beyond floats.
@@ -55,7 +55,8 @@ OpticalMaterial freeze_material(const Material& m, const Frame& frame) {
           .fresnel = m.fresnel,
           .priority = m.priority,
           .textured_k1 = textured(Coefficient::reflection),
-          .textured_k2 = textured(Coefficient::refraction)};
+          .textured_k2 = textured(Coefficient::refraction),
+          .casts_shadow = m.casts_shadow};
 }
 
 OpticalLight freeze_light(const Light& light, const Frame& frame) {
@@ -70,6 +71,9 @@ OpticalLight freeze_light(const Light& light, const Frame& frame) {
   out.quadratic = light.attenuation.z * world * world;
   out.cos_inner = elementary::cos(light.inner_deg * kDegree);
   out.cos_outer = elementary::cos(light.outer_deg * kDegree);
+  out.inner = light.inner_deg * kDegree;
+  out.outer = light.outer_deg * kDegree;
+  out.linear_edge = light.linear_edge;
   if (light.kind == LightKind::rectangle) {
     out.edge_u = vector_of(frame.vector(light.edge_u));
     out.edge_v = vector_of(frame.vector(light.edge_v));
@@ -93,6 +97,7 @@ OpticalSky freeze_sky(const Scene& scene) {
   out.kind = sky.kind;
   out.bottom = vector_of(sky.bottom), out.top = vector_of(sky.top);
   out.up = unit(vector_of(sky.up));
+  out.low = sky.low, out.high = sky.high;
   out.texture = sky.texture;
   // Its middle is towards -z, or whatever of that is level.
   V3<double> middle{0, 0, -1};
@@ -100,6 +105,20 @@ OpticalSky freeze_sky(const Scene& scene) {
   if (dot(middle, middle) < 1e-12) middle = {0, 1, 0};
   out.middle = unit(middle - out.up * dot(middle, out.up));
   out.right = cross(out.middle, out.up);
+  return out;
+}
+
+OpticalFog freeze_fog(const Scene& scene, const Frame& frame) {
+  const Fog& fog = scene.fog;
+  OpticalFog out{};
+  out.kind = fog.kind;
+  out.start = frame.length(fog.start), out.end = frame.length(fog.end);
+  out.density = fog.density * frame.world_length(1);
+  out.color = vector_of(fog.color);
+  out.planar = fog.planar;
+  const Camera& camera = scene.camera;
+  out.ahead = unit(V3<double>{camera.window_center.x - camera.eye.x, camera.window_center.y - camera.eye.y,
+                              camera.window_center.z - camera.eye.z});
   return out;
 }
 
@@ -160,12 +179,18 @@ void find_bounds(const Scene& scene, FrozenOptics& out) {
     out.most_sky = std::max(most_of(out.sky.bottom), most_of(out.sky.top));
   if (scene.sky.kind == Sky::Kind::image && scene.sky.texture < scene.textures.size())
     out.most_sky = most_of_image(scene.textures[scene.sky.texture]);
+  if (scene.fog.kind != Fog::Kind::none) {
+    // Light through fog is between the two.
+    out.most_sky = std::max(out.most_sky, most_of(out.fog.color));
+    out.most_local = std::max(out.most_local, most_of(out.fog.color));
+  }
 }
 
 }  // namespace
 
 bool has_optics(const Scene& scene) {
   return scene.ambient_occlusion.samples > 0 || scene.sky.kind != Sky::Kind::flat ||
+         scene.fog.kind != Fog::Kind::none ||
          std::any_of(scene.lights.begin(), scene.lights.end(),
                      [](const Light& light) {
                        return light.kind != LightKind::point ||
@@ -184,11 +209,13 @@ std::unique_ptr<StoredOptics> freeze_optics(const Scene& scene, const Profile& p
     out.nested = out.nested || m.priority != 0;
     out.absorbing = out.absorbing || m.absorption != Color{};
     out.dispersive = out.dispersive || m.dispersion.kind != Dispersion::Kind::none;
+    out.shadowless = out.shadowless || !m.casts_shadow;
   }
   for (const Light& light : scene.lights) stored->lights.push_back(freeze_light(light, frame));
   out.materials = stored->materials.data();
   out.lights = stored->lights.data();
   out.sky = freeze_sky(scene);
+  out.fog = freeze_fog(scene, frame);
   out.occlusion_samples = scene.ambient_occlusion.samples;
   out.occlusion_distance = scene.ambient_occlusion.distance > 0
                                ? frame.length(scene.ambient_occlusion.distance)

@@ -21,6 +21,7 @@ struct OpticalMaterial {
   int priority;
   /// Textures give these coefficients, for all channels alike.
   bool textured_k1, textured_k2;
+  bool casts_shadow;
   bool absorbs() const { return absorption.x > 0 || absorption.y > 0 || absorption.z > 0; }
   bool is_dispersive() const { return dispersion.kind != Dispersion::Kind::none; }
 };
@@ -31,6 +32,8 @@ struct OpticalLight {
   V3<double> direction;  ///< unit length, of travel: directional and spot
   double constant, linear, quadratic;  ///< attenuation by distance in the engine's frame
   double cos_inner, cos_outer;         ///< spot
+  double inner, outer;                 ///< spot: the same in radians, where its edge is linear
+  bool linear_edge;
   V3<double> edge_u, edge_v;           ///< rectangle; disc: two radii at right angles
   double radius;                       ///< sphere
   int samples;                         ///< 1 for those that are no surfaces
@@ -40,21 +43,32 @@ struct OpticalSky {
   Sky::Kind kind;
   V3<double> bottom, top;
   V3<double> up;         ///< unit length
+  double low, high;      ///< gradient
   V3<double> middle;     ///< image: unit length, horizontal, where its middle is
   V3<double> right;      ///< image: a quarter of the way round to the right of it
   std::uint32_t texture;
+};
+
+struct OpticalFog {
+  Fog::Kind kind;
+  double start, end, density;  ///< by lengths of the engine's frame
+  V3<double> color;
+  bool planar;
+  V3<double> ahead;  ///< planar: unit length, along the view
 };
 
 struct FrozenOptics {
   const OpticalMaterial* materials;
   const OpticalLight* lights;  ///< as many as FrozenScene::lights, which has their colours
   OpticalSky sky;
+  OpticalFog fog;
   int occlusion_samples;      ///< 0: none
   double occlusion_distance;  ///< infinite: the whole scene
   V3<double> occlusion_color;
   bool nested;     ///< some material has a priority: bodies know what they stand in
   bool absorbing;  ///< some material absorbs
   bool dispersive;
+  bool shadowless;  ///< some material casts no shadow
   bool index_is_ratio;
   /// The most that a surface sends by itself, the sky's most, and the largest sum of the shares of
   /// a hit's children: what bounds any ray's radiance follows from them.

@@ -25,6 +25,7 @@ struct PreparedTexture {
   TextureKind kind = TextureKind::checker;
   TextureMapping mapping = TextureMapping::solid;
   IntoTexture into;
+  double repeat_u = 1, repeat_v = 1, offset_u = 0, offset_v = 0;  ///< cylinder, sphere
   std::vector<V3<double>> colors;  ///< two or more
   double size = 1;
   V3<double> direction{1, 0, 0};  ///< of length 1

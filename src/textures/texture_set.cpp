@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/elementary.hpp"
 #include "textures/kinds.hpp"
 
 namespace zraka {
@@ -69,6 +70,8 @@ PreparedTexture prepared(const Texture& from) {
   t.kind = from.kind;
   t.mapping = from.mapping;
   t.into = inverse(from.transform);
+  t.repeat_u = from.repeat_u, t.repeat_v = from.repeat_v;
+  t.offset_u = from.offset_u, t.offset_v = from.offset_v;
   for (const Color& c : from.colors) t.colors.push_back({c.r, c.g, c.b});
   while (t.colors.size() < 2) t.colors.push_back(t.colors.empty() ? V3<double>{} : t.colors[0]);
   t.size = from.size > 0 ? std::clamp(from.size, 1 / kHuge, kHuge) : 1;
@@ -88,6 +91,34 @@ PreparedTexture prepared(const Texture& from) {
   return t;
 }
 
+/// How often and from where on a texture goes round, for u and v that go round once.
+V3<double> repeated(const PreparedTexture& t, double u, double v) {
+  return {u * t.repeat_u + t.offset_u, v * t.repeat_v + t.offset_v, 0};
+}
+
+/// What is rolled round the y axis: from a point of the texture's space and the footprint there.
+void roll(const PreparedTexture& t, TexturePlace& place) {
+  constexpr double kPi = 3.14159265358979323846;
+  const V3<double> p = place.point;
+  const double round = p.x * p.x + p.z * p.z, all = round + p.y * p.y;
+  const double away = std::sqrt(round);
+  double u = away > 0 ? elementary::atan2(p.z, p.x) / (2 * kPi) : 0;
+  if (u < 0) u += 1;
+  const bool sphere = t.mapping == TextureMapping::sphere;
+  double v = p.y;
+  if (sphere) v = all > 0 ? 0.5 + elementary::asin(std::fmin(std::fmax(p.y / std::sqrt(all), -1.0), 1.0)) / kPi : 0.5;
+  place.point = finite_point(repeated(t, u, v));
+  for (V3<double>& axis : place.axes) {
+    const double along_u =
+        round > 0 ? (p.x * axis.z - p.z * axis.x) / (round * 2 * kPi) : kHuge;
+    double along_v = axis.y;
+    if (sphere)
+      along_v = away > 0 ? (axis.y * round - p.y * (p.x * axis.x + p.z * axis.z)) / (all * away * kPi)
+                         : kHuge;
+    axis = finite_axis({along_u * t.repeat_u, along_v * t.repeat_v, 0});
+  }
+}
+
 TexturePlace place_of(const PreparedTexture& t, const TexturePoint& at) {
   TexturePlace place;
   if (t.mapping == TextureMapping::uv) {
@@ -99,6 +130,7 @@ TexturePlace place_of(const PreparedTexture& t, const TexturePoint& at) {
     place.point = finite_point(t.into.point(at.point));
     for (int i = 0; i < 2; ++i) place.axes[i] = finite_axis(t.into.direction(at.footprint[i]));
     place.error = at.error * t.error_scale;
+    if (t.mapping == TextureMapping::cylinder || t.mapping == TextureMapping::sphere) roll(t, place);
   }
   return place;
 }

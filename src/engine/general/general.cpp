@@ -2,6 +2,7 @@
 #include "engine/general/general.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/coefficients.hpp"
 #include "engine/general/steps.hpp"
@@ -87,7 +88,8 @@ template <class R>
 V3<R> sky_color(const FrozenScene<R>& scene, const V3<double>& direction) {
   const OpticalSky& sky = scene.optics->sky;
   if (sky.kind == Sky::Kind::gradient) {
-    const double height = std::fmin(std::fmax(0.5 + 0.5 * dot(direction, sky.up), 0.0), 1.0);
+    const double span = sky.high - sky.low, above = dot(direction, sky.up) - sky.low;
+    const double height = span != 0 ? std::fmin(std::fmax(above / span, 0.0), 1.0) : 0.5;
     return narrowed<R>(sky.bottom * (1 - height) + sky.top * height);
   }
   if (sky.kind == Sky::Kind::image) {
@@ -100,6 +102,30 @@ V3<R> sky_color(const FrozenScene<R>& scene, const V3<double>& direction) {
     return narrowed<R>(scene.textures->set->value(sky.texture, at));
   }
   return scene.background;
+}
+
+/// What fog leaves of the light after a length.
+double clear_share(const OpticalFog& fog, double length) {
+  const double behind = length - fog.start, thick = fog.density * behind;
+  double left = 1;
+  if (fog.kind == Fog::Kind::linear)
+    left = fog.end > fog.start ? (fog.end - length) / (fog.end - fog.start) : (behind < 0 ? 1 : 0);
+  if (fog.kind == Fog::Kind::exponential) left = thick > 0 ? elementary::exp(-thick) : 1;
+  if (fog.kind == Fog::Kind::squared) left = thick > 0 ? elementary::exp(-thick * thick) : 1;
+  return std::fmin(std::fmax(left, 0.0), 1.0);
+}
+
+/// The colour of a ray that is so long, seen through the fog; infinite: it hits nothing.
+template <class R>
+V3<R> through_fog(const Batch<R>& batch, std::size_t ray, double length, const V3<R>& color) {
+  const OpticalFog& fog = batch.optics().fog;
+  if (fog.kind == Fog::Kind::none) return color;
+  const bool from_eye = batch.rays[ray].kind == RayKind::camera;
+  if (fog.planar && !(length < std::numeric_limits<double>::infinity())) return color;
+  if (fog.planar && from_eye)
+    length *= dot(three(batch.level.rays.dx, batch.level.rays.dy, batch.level.rays.dz, ray), fog.ahead);
+  const auto left = static_cast<R>(clear_share(fog, length));
+  return color * left + narrowed<R>(fog.color) * (R(1) - left);
 }
 
 /// Copies hit `from` of one scratch to hit `to` of another.
@@ -212,7 +238,9 @@ void find_hits(const Batch<R>& batch) {
     const V3<R> color =
         plain ? batch.scene.background
               : sky_color(batch.scene, three(level.rays.dx, level.rays.dy, level.rays.dz, at));
-    level.rays.r[ray] = color.x, level.rays.g[ray] = color.y, level.rays.b[ray] = color.z;
+    const V3<R> seen =
+        through_fog(batch, at, std::numeric_limits<double>::infinity(), color);
+    level.rays.r[ray] = seen.x, level.rays.g[ray] = seen.y, level.rays.b[ray] = seen.z;
   }
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     HitState<R>& hit = batch.hits[h];
@@ -223,6 +251,7 @@ void find_hits(const Batch<R>& batch) {
     hit.enclosing = wants_bodies && has_inside(batch.scene, batch.scratch.paths[h]);
     hit.medium = -1;
     hit.transmittance = {R(1), R(1), R(1)};
+    hit.way = static_cast<double>(batch.scratch.t[level.hits.ray[h]]);
     if (!has_media) continue;
     RayState<R>& ray = batch.ray_of(h);
     // What a ray leaves it has been inside of, whether or not it is known how it came in.
@@ -257,12 +286,31 @@ void fold(const Batch<R>& batch, const Level<R>* next, const RayState<R>* next_r
     }
     color = color * hit.transmittance;
     const std::int32_t ray = level.done + level.hits.ray[h];
+    color = through_fog(batch, static_cast<std::size_t>(ray), hit.way, color);
     level.rays.r[ray] = color.x, level.rays.g[ray] = color.y, level.rays.b[ray] = color.z;
     batch.rays[ray].cut = cut;
   }
   level.done += level.in_batch;
   if (batch.general.listener != nullptr) batch.general.listener->at_fold(level, batch.general);
   level.in_batch = 0;
+}
+
+/// What rays bring that are too deep to be traced: the sky's colour.
+template <class R>
+void add_sky_beyond(const Batch<R>& batch) {
+  const Terms& terms = batch.settings.terms;
+  HitArrays<R>& hits = batch.level.hits;
+  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+    const OpticalMaterial& material = batch.material(h);
+    const V3<double> normal = batch.normal(h), view = batch.view(h);
+    V3<R> color{hits.r[h], hits.g[h], hits.b[h]};
+    if (terms.reflection)
+      color = color + reflection_of(material, batch.row(h)) *
+                          sky_color(batch.scene, normal * (2 * dot(view, normal)) - view);
+    if (terms.refraction)
+      color = color + refraction_of(material, batch.row(h)) * sky_color(batch.scene, -view);
+    hits.r[h] = color.x, hits.g[h] = color.y, hits.b[h] = color.z;
+  }
 }
 
 template <class R>
@@ -273,6 +321,7 @@ void trace_batch(const Batch<R>& batch, std::int32_t size, Level<R>* next, RaySt
   take_coefficients(batch.scene, level, batch.scratch);
   light_hits(batch);
   const Terms& terms = batch.settings.terms;
+  if (next == nullptr && batch.settings.sky_beyond && !terms.silhouette) add_sky_beyond(batch);
   if (next == nullptr || terms.silhouette || !(terms.reflection || terms.refraction)) return;
   spawn(batch, *next, next_rays);
   if (batch.general.listener != nullptr)

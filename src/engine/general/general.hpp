@@ -74,6 +74,7 @@ struct HitState {
   std::int32_t first_child, child_count;
   std::uint64_t body;
   bool enclosing;  ///< has an inside that rays can be in
+  double way;      ///< the ray's length up to it
   // For explanations.
   V3<R> sum;              ///< local light and children, before clamping and transmittance
   std::int32_t material;

@@ -33,6 +33,13 @@ double smooth(double x) {
   return t * t * (3 - 2 * t);
 }
 
+/// From 1 at a spot's inner angle to 0 at its outer one.
+double linear_edge(const OpticalLight& light, double cosine) {
+  const double angle =
+      0.5 * 3.14159265358979323846 - elementary::asin(std::fmin(std::fmax(cosine, -1.0), 1.0));
+  return std::fmin(std::fmax((light.outer - angle) / (light.outer - light.inner), 0.0), 1.0);
+}
+
 Arriving arriving(const OpticalLight& light, const V3<double>& point, const Point2& at) {
   if (light.kind == LightKind::directional)
     return {-light.direction, std::numeric_limits<double>::infinity(), 1};
@@ -67,8 +74,11 @@ Arriving arriving(const OpticalLight& light, const V3<double>& point, const Poin
   if (light.kind == LightKind::spot) {
     const double cosine = -dot(arrives.to_light, light.direction);
     const double span = light.cos_inner - light.cos_outer;
-    arrives.strength *= span > 0 ? smooth((cosine - light.cos_outer) / span)
-                                 : (cosine >= light.cos_outer ? 1.0 : 0.0);
+    if (light.linear_edge && light.outer > light.inner)
+      arrives.strength *= linear_edge(light, cosine);
+    else
+      arrives.strength *= span > 0 ? smooth((cosine - light.cos_outer) / span)
+                                   : (cosine >= light.cos_outer ? 1.0 : 0.0);
   }
   return arrives;
 }

@@ -81,7 +81,9 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
         const R* const row = scratch.coefficients + std::ptrdiff_t{scratch.row[h]} * kMaterialReals;
         const bool leaves = scratch.inside[h] > R(0);
         const std::uint64_t body = body_of(batch.scene, scratch.paths[h], scratch.material[h]);
-        const V3<R> share = may_be_passed(batch) ? refraction_of(material, row) : V3<R>{};
+        const V3<R> share = !material.casts_shadow ? V3<R>{R(1), R(1), R(1)}
+                            : may_be_passed(batch) ? refraction_of(material, row)
+                                                   : V3<R>{};
         walk.walked += t;
         Passed<R> passed{batch.scratch.shadow_ray_hit[walk.entry],
                          general.of_waiting[walk.entry].sample,
@@ -103,6 +105,7 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
           }
         }
         const bool known =
+            !batch.settings.filter_surfaces &&
             std::find(walk.passed.begin(), walk.passed.end(), body) != walk.passed.end();
         const bool loose = is_loose_triangle(batch.scene, scratch.paths[h]);
         if (!known || is_zero(share)) {  // what is opaque stops it, wherever in a body
@@ -172,7 +175,7 @@ void trace_waiting(const Batch<R>& batch) {
   std::vector<Walk> walks;
   for (std::size_t entry = 0; entry < general.waiting; ++entry) {
     if (scratch.blocked[entry] == 0 && !starts_in_absorber(batch, entry)) continue;
-    if (!may_be_passed(batch)) {
+    if (!may_be_passed(batch) && !batch.optics().shadowless) {
       general.filter[entry] = {R(0), R(0), R(0)};
       // Whoever explains wants to know what the light is blocked by.
       if (general.listener == nullptr) continue;

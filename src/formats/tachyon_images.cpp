@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pictures on Tachyon's surfaces: from files, and written out in the scene.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/file.hpp"
+#include "formats/tachyon_reader.hpp"
+
+namespace zraka {
+namespace {
+
+/// One nibble; 16: none.
+unsigned hex_digit(char c) {
+  if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
+  if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a') + 10;
+  if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A') + 10;
+  return 16;
+}
+
+/// Texels in place of which there are more, so that what lies between the last and the first, where
+/// Tachyon shows nothing, is small.
+struct Finer {
+  std::uint32_t parts, count;
+  explicit Finer(std::uint32_t texels)
+      : parts(std::clamp(256 / std::max(texels - 1, 1u), 1u, 64u)),
+        count(texels > 1 ? (texels - 1) * parts : 1) {}
+};
+
+/// The image whose texels' middles, repeated, blend to what Tachyon blends between those of
+/// another.
+Image between_middles(const Image& whole) {
+  const Finer across(whole.width), down(whole.height);
+  Image image(across.count, down.count);
+  for (std::uint32_t y = 0; y < down.count; ++y) {
+    const std::uint32_t row = y / down.parts;
+    const auto below = static_cast<float>(y % down.parts) / static_cast<float>(down.parts);
+    const float* const upper = whole.row(row);
+    const float* const lower = whole.row(std::min(row + 1, whole.height - 1));
+    for (std::uint32_t x = 0; x < across.count; ++x) {
+      const std::size_t left = std::size_t{3} * (x / across.parts);
+      const std::size_t right = std::min(left + 3, std::size_t{3} * (whole.width - 1));
+      const auto aside = static_cast<float>(x % across.parts) / static_cast<float>(across.parts);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const float a = upper[left + k] + aside * (upper[right + k] - upper[left + k]);
+        const float b = lower[left + k] + aside * (lower[right + k] - lower[left + k]);
+        image.row(y)[std::size_t{3} * x + k] = a + below * (b - a);
+      }
+    }
+  }
+  return image;
+}
+
+}  // namespace
+
+Result<Image> TachyonReader::read_picture(const std::string& name) {
+  const Result<std::shared_ptr<const Image>> read = images_.load(name, Transfer::linear);
+  if (!read) return tl::make_unexpected(read.error());
+  return **read;
+}
+
+/// A Targa of 24 bits a texel without compression, which is all that Tachyon reads. Its v goes up.
+Result<Image> TachyonReader::read_targa(const std::string& name) {
+  constexpr std::size_t kHead = 18;
+  const Result<std::string> path =
+      SceneFolder{*options_.folder, options_.allow_outside}.path_of(name);
+  if (!path) return tl::make_unexpected(path.error());
+  const Result<std::string> file = read_file(*path, std::uint64_t{1} << 30);
+  if (!file) return tl::make_unexpected(file.error());
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>((*file)[i]); };
+  if (file->size() < kHead || byte(1) != 0 || byte(2) != 2 || byte(16) != 24)
+    return failure(name, "it is no Targa of 24 bits without compression");
+  const std::uint32_t width = byte(12) + 256u * byte(13), height = byte(14) + 256u * byte(15);
+  const std::size_t from = kHead + byte(0), texels = std::size_t{width} * height;
+  if (texels == 0 || texels > kMaxPixels || file->size() < from + 3 * texels)
+    return failure(name, "the Targa is cut off, or empty");
+  Image image(width, height);
+  const bool from_above = (byte(17) & 0x20) != 0;
+  for (std::uint32_t y = 0; y < height; ++y) {
+    float* const row = image.row(from_above ? height - 1 - y : y);
+    const std::size_t at = from + std::size_t{3} * width * y;
+    for (std::size_t i = 0; i < std::size_t{3} * width; ++i)
+      row[i / 3 * 3 + 2 - i % 3] = static_cast<float>(byte(at + i)) / 255;
+  }
+  return image;
+}
+
+/// As Tachyon shows it, from the middle of the first texel to that of the last.
+std::shared_ptr<const Image> TachyonReader::image_named(const char* at, const std::string& name,
+                                                        int slice) {
+  const auto known = cut_images_.find({name, slice});
+  if (known != cut_images_.end()) return known->second;
+  std::shared_ptr<const Image>& kept = cut_images_[{name, slice}];
+  Image whole;
+  const auto defined = definitions_.find(name);
+  if (defined != definitions_.end()) {
+    const auto& [width, height, depth] = defined->second.size;
+    whole = Image(width, height);
+    const std::size_t from = std::size_t{3} * width * height * static_cast<std::size_t>(slice);
+    for (std::size_t i = 0; i < whole.pixels.size(); ++i)
+      whole.pixels[i] = static_cast<float>(defined->second.texels[from + i]) / 255;
+  } else if (name.starts_with("::")) {
+    warn(at, fmt::format("there is no IMAGEDEF '{}' before this: white is drawn", shown(name)));
+    return nullptr;
+  } else if (!options_.folder) {
+    warn(at, fmt::format("{} cannot be read, and white is drawn: files beside the scene need a folder", shown(name)));
+    return nullptr;
+  } else {
+    const bool is_targa = name.ends_with(".tga") || name.ends_with(".TGA");
+    Result<Image> read = is_targa ? read_targa(name) : read_picture(name);
+    if (!read) {
+      warn(at, fmt::format("{} cannot be read, and white is drawn: {}", shown(name),
+                           read.error()[0].message),
+           read.error()[0].hint);
+      return nullptr;
+    }
+    whole = std::move(*read);
+  }
+  kept = std::make_shared<const Image>(between_middles(whole));
+  return kept;
+}
+
+bool TachyonReader::read_imagedef() {
+  std::string name;
+  if (!file_name("a name", name) || !expect("FORMAT") || !expect("RGB24") || !expect("RESOLUTION"))
+    return false;
+  const char* at = in_->place();
+  Definition image;
+  std::uint64_t texels = 1;
+  for (std::uint32_t& side : image.size) {
+    std::size_t n = 0;
+    if (!count(n, "RESOLUTION", 1, static_cast<double>(kMaxPixels))) return false;
+    side = static_cast<std::uint32_t>(n);
+    texels *= n;  // of three numbers of 27 bits
+    if (texels == 0 || texels > kMaxPixels)
+      return fail(at, fmt::format("RESOLUTION of IMAGEDEF has {} texels: expected from 1 to {}", texels,
+                                  kMaxPixels));
+  }
+  if (!expect("ENCODING") || !expect("HEX")) return false;
+  if (4 * texels > in_->left() + 1)
+    return fail(at, fmt::format("RESOLUTION of IMAGEDEF has {} texels, more than the rest of the file "
+                                "can hold",
+                                texels));
+  image.texels.reserve(3 * texels);
+  for (std::uint64_t i = 0; i < texels; ++i) {
+    const char* const place = in_->place();
+    const std::string_view word = in_->take();
+    const std::size_t digits = word.size() / 3;
+    bool good = word.size() % 3 == 0 && digits >= 1 && digits <= 4;
+    for (std::size_t k = 0; good && k < 3; ++k) {
+      const unsigned high = hex_digit(word[k * digits]);
+      const unsigned low = hex_digit(word[k * digits + (digits > 1 ? 1 : 0)]);
+      for (std::size_t d = 0; d < digits; ++d) good = good && hex_digit(word[k * digits + d]) < 16;
+      image.texels.push_back(static_cast<unsigned char>(16 * high + low));
+    }
+    if (!good)
+      return fail(place, fmt::format("'{}' is no colour of IMAGEDEF: expected 3, 6, 9 or 12 "
+                                     "hexadecimal digits",
+                                     shown(word)));
+  }
+  definitions_[name] = std::move(image);
+  return true;
+}
+
+}  // namespace zraka
