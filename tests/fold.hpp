@@ -38,7 +38,7 @@ struct Fold {
   Float3 color_of(const nlohmann::json& ray) const {
     if (ray["kind"] == "mean") return mean_of(ray["corners"]);
     if (ray["hit"].is_null()) {
-      if (!explanation.contains("sky")) {
+      if (!explanation.contains("sky") && !ray.contains("fog")) {
         EXPECT_EQ(color_from(ray["color"]), color_from(explanation["background"]));
       }
       return color_from(ray["color"]);
@@ -46,6 +46,10 @@ struct Fold {
     const nlohmann::json& hit = ray["hit"];
     Float3 color = local_of(hit);
     EXPECT_EQ(color, color_from(hit["local"]));
+    if (hit.contains("sky_beyond")) {
+      add(color, color_from(hit["sky_beyond"]["reflected"]));
+      add(color, color_from(hit["sky_beyond"]["refracted"]));
+    }
     add_child(color, hit["reflected"]);
     add_child(color, hit["refracted"]);
     if (hit.contains("split"))
@@ -56,6 +60,11 @@ struct Fold {
     if (hit.contains("medium")) {
       const Float3 left = color_from(hit["medium"]["transmittance"]);
       for (std::size_t c = 0; c < 3; ++c) color[c] = color[c] * left[c];
+    }
+    if (ray.contains("fog")) {
+      const Float3 fog = color_from(ray["fog"]["color"]);
+      const float left = ray["fog"]["left"].get<float>();
+      for (std::size_t c = 0; c < 3; ++c) color[c] = color[c] * left + fog[c] * (1 - left);
     }
     EXPECT_EQ(color, color_from(ray["color"]));
     return color;

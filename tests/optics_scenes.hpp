@@ -64,6 +64,25 @@ inline std::vector<OpticsCase> optics_cases() {
     s.lights[0].direction = {-2, -4, -3};
     s.lights[0].inner_deg = 8, s.lights[0].outer_deg = 20;
   });
+  add("spot with a linear edge", [](Scene& s, RenderOptions&) {
+    s.lights[0].kind = LightKind::spot;
+    s.lights[0].direction = {-2, -4, -3};
+    s.lights[0].inner_deg = 4, s.lights[0].outer_deg = 30;
+    s.lights[0].linear_edge = true;
+  });
+  for (const Fog::Kind kind : {Fog::Kind::linear, Fog::Kind::exponential, Fog::Kind::squared})
+    for (const bool planar : {false, true})
+      add(fmt::format("fog {} {}", static_cast<int>(kind), planar), [&](Scene& s, RenderOptions&) {
+        s.fog = {kind, 1, 12, 0.11, {0.5, 0.6, 0.7}, planar};
+        s.materials[1].absorption = {0.1, 0.4, 0.9};
+      });
+  add("the sky beyond", [](Scene& s, RenderOptions& o) {
+    o.profile = profile_of(ProfileName::tachyon);
+    o.max_depth = 1;
+    o.shadows = Shadows::transparent;
+    s.fog = {Fog::Kind::exponential, 1, 12, 0.05, {0.5, 0.6, 0.7}, false};
+    s.materials[3].casts_shadow = false;
+  });
   add("directional", [](Scene& s, RenderOptions&) {
     s.lights[0].kind = LightKind::directional;
     s.lights[0].direction = {-1, -3, -2};

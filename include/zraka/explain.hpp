@@ -122,6 +122,17 @@ struct ThroughMedium {
   Float3 transmittance{};      ///< exp(-a·d)
 };
 
+/// What fog does to a ray's colour C: C·left + color·(1 - left).
+struct ThroughFog {
+  float left = 1;
+  Float3 color{};  ///< the fog's
+};
+
+/// What the profile takes from the sky in place of rays that are too deep to be traced.
+struct SkyBeyond {
+  Float3 reflected{}, refracted{};  ///< share times the sky's colour
+};
+
 /// A body that a ray is inside of.
 struct NamedBody {
   NamedShape shape;
@@ -153,6 +164,7 @@ struct ExplainedHit {
   Float3 local{};  ///< ambient and all lights' terms
   std::optional<SnellTerms> snell;
   Child reflected, refracted;
+  std::optional<SkyBeyond> sky_beyond{};  ///< added after `local`
   /// In the place of `refracted`, where a body is dispersive; then that says whether wavelengths
   /// were left out for their contribution.
   std::vector<SplitChild> split{};
@@ -172,6 +184,7 @@ struct ExplainedRay {
   Vec3 origin{};
   Float3 direction{};                 ///< unit length
   std::optional<ExplainedHit> hit{};  ///< none: the ray brings the sky's colour
+  std::optional<ThroughFog> fog{};    ///< that it has come through
   Float3 color{};                     ///< what it brings back
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "engine/general/steps.hpp"
@@ -76,6 +77,7 @@ class GeneralReader final : public general::Listener<float> {
   void read_children(ExplainedHit& at, const general::HitState<float>& state,
                      const general::RayState<float>* children, std::size_t parent,
                      std::size_t first_of_next);
+  Float3 fog_color() const;
   void read_cuts(ExplainedHit& at, const general::HitState<float>& state,
                  const general::RayState<float>& ray);
 
@@ -347,9 +349,25 @@ void GeneralReader::at_fold(const Level<float>& level,
   for (std::size_t i = 0; i < static_cast<std::size_t>(level.ray_count); ++i)
     tree_.rays[first + i].color = {level.rays.r[i], level.rays.g[i], level.rays.b[i]};
   for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
-    hit(level, h).local = {level.hits.r[h], level.hits.g[h], level.hits.b[h]};
-    hit(level, h).sum = float3(workspace.hits[depth][h].sum);
+    const general::HitState<float>& state = workspace.hits[depth][h];
+    ExplainedHit& at = hit(level, h);
+    at.local = {level.hits.r[h], level.hits.g[h], level.hits.b[h]};
+    at.sum = float3(state.sum);
+    const SkyBeyond beyond{float3(state.beyond_reflected), float3(state.beyond_refracted)};
+    if (beyond.reflected != Float3{} || beyond.refracted != Float3{}) at.sky_beyond = beyond;
+    if (state.clear != 1)
+      tree_.rays[ray_of_hit(level, h)].fog = {state.clear, fog_color()};
   }
+  const OpticalFog& fog = stand_.frozen().optics->fog;
+  if (fog.kind == Fog::Kind::none || fog.planar) return;
+  const auto left = static_cast<float>(
+      general::clear_share(fog, std::numeric_limits<double>::infinity()));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(level.ray_count); ++i)
+    if (!tree_.rays[first + i].hit) tree_.rays[first + i].fog = {left, fog_color()};
+}
+
+Float3 GeneralReader::fog_color() const {
+  return float3(general::narrowed<float>(stand_.frozen().optics->fog.color));
 }
 
 }  // namespace

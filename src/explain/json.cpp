@@ -168,6 +168,9 @@ Json hit_json(const Explanation& e, const RayTree& tree, const ExplainedHit& hit
     for (const auto& [key, member] : *its.if_object()) child[key] = member;
     json["split"].push_back(std::move(child));
   }
+  if (hit.sky_beyond)
+    json["sky_beyond"] = {{"reflected", number_json(hit.sky_beyond->reflected)},
+                          {"refracted", number_json(hit.sky_beyond->refracted)}};
   json["sum"] = number_json(hit.sum);
   return json;
 }
@@ -183,6 +186,8 @@ Json ray_json(const Explanation& e, const RayTree& tree, std::size_t place_of_ra
   for (const NamedBody& body : ray.inside)
     json["inside"].push_back(body_json(body.shape, body.path));
   json["hit"] = ray.hit ? hit_json(e, tree, *ray.hit) : Json();
+  if (ray.fog)
+    json["fog"] = {{"left", number_json(ray.fog->left)}, {"color", number_json(ray.fog->color)}};
   json["color"] = number_json(ray.color);
   return json;
 }

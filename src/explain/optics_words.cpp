@@ -238,4 +238,30 @@ Float3 after_clamp(const Explanation& explanation, const Float3& sum) {
   return color;
 }
 
+Float3 before_fog(const Explanation& explanation, const ExplainedRay& ray) {
+  if (!ray.hit) return ray.color;
+  Float3 color = after_clamp(explanation, ray.hit->sum);
+  if (ray.hit->medium)
+    for (std::size_t c = 0; c < 3; ++c) color[c] = color[c] * ray.hit->medium->transmittance[c];
+  return color;
+}
+
+std::string fog_line(Language language, const Explanation& explanation, const ExplainedRay& ray) {
+  if (!ray.fog) return "";
+  const float left = ray.fog->left;
+  const std::string before =
+      ray.hit ? short_vector(language, before_fog(explanation, ray)) : say(language, name_of_sky(explanation));
+  return say(language, Word::through_fog,
+             fmt::format("C = f·C + (1 - f)·Cfog = {}·{} + {}·{} = {}", short_number(language, left),
+                         before, short_number(language, 1 - left),
+                         short_vector(language, ray.fog->color), short_vector(language, ray.color)));
+}
+
+std::string sky_beyond_line(Language language, const ExplainedHit& hit) {
+  if (!hit.sky_beyond) return "";
+  return say(language, Word::sky_beyond,
+             short_vector(language, hit.sky_beyond->reflected) + " + " +
+                 short_vector(language, hit.sky_beyond->refracted));
+}
+
 }  // namespace zraka

@@ -77,4 +77,13 @@ Float3 brought_by_split(const RayTree& tree, const ExplainedHit& hit);
 /// Clamped to 0…1 where the profile does that.
 Float3 after_clamp(const Explanation& explanation, const Float3& sum);
 
+/// What a ray brings before fog: its hit's sum after the clamp, times what its medium leaves.
+Float3 before_fog(const Explanation& explanation, const ExplainedRay& ray);
+
+/// What fog makes of it; "" where there is none.
+std::string fog_line(Language language, const Explanation& explanation, const ExplainedRay& ray);
+
+/// What the sky adds in place of rays that are too deep; "" where nothing.
+std::string sky_beyond_line(Language language, const ExplainedHit& hit);
+
 }  // namespace zraka

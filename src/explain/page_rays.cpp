@@ -244,16 +244,24 @@ void Page::sum(std::size_t t, const ExplainedRay& ray) {
         kPlus + operation("Σ") + product({share_formula(factor), indexed("C", "refr")});
     numbers += kPlus + column(brought_by_split(e_.trees[t], hit));
   }
+  if (hit.sky_beyond) {
+    symbols += kPlus + symbol("S");
+    numbers += kPlus + column(hit.sky_beyond->reflected) + kPlus + column(hit.sky_beyond->refracted);
+  }
+  const Float3 brought = before_fog(e_, ray);
   std::string text = numbers == column(hit.local)
                          ? steps({symbol("C"), symbols, numbers})
                          : steps({symbol("C"), symbols, numbers, column(hit.sum)});
   const Float3 clamped = after_clamp(e_, hit.sum);
-  if (clamped != hit.sum || (hit.sum != ray.color && !hit.medium))
-    text += fmt::format("<p>{}</p>", say(Word::clamped)) + steps({symbol("C"), column(hit.medium ? clamped : ray.color)});
+  if (clamped != hit.sum || (hit.sum != brought && !hit.medium))
+    text += fmt::format("<p>{}</p>", say(Word::clamped)) + steps({symbol("C"), column(hit.medium ? clamped : brought)});
   if (hit.medium)
     text += steps({product({symbol("C"), symbol("T")}),
                    product({column(clamped), column(hit.medium->transmittance)}),
-                   column(ray.color)});
+                   column(brought)});
+  if (const std::string sky = sky_beyond_line(options_.language, hit); !sky.empty())
+    text += fmt::format("<p>S: {}</p>", html_text(sky));
+  if (ray.fog) text += fmt::format("<p>{}</p>", html_text(fog_line(options_.language, e_, ray)));
   row(say(Word::page_what_it_brings), text, "result");
 }
 

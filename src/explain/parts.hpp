@@ -8,7 +8,7 @@
 
 namespace zraka {
 
-enum class Source { background, silhouette, ambient, diffuse, specular };
+enum class Source { background, fog, silhouette, ambient, diffuse, specular };
 
 /// One term of one ray, as far as it reaches the pixel: times the shares of all rays on its way,
 /// and scaled down where a clamp took its part. All parts together are the pixel's colour, but for

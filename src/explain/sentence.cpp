@@ -174,10 +174,13 @@ std::string Speaker::rest() const {
 
 /// Where a ray from the eye gives most.
 std::string Speaker::of_root() const {
+  if (s_.main.source == Source::fog) return toned(say(Word::say_fog_most, percent(s_.of_main)), false);
   if (!main_ray().hit) return toned(say(Word::say_nothing_met), true);
   const ExplainedHit& hit = *main_ray().hit;
   const std::string whole = percent(s_.of_main);
   switch (s_.main.source) {
+    case Source::background:
+      return toned(say(Word::say_sky_beyond, whole) + rest(), false);
     case Source::silhouette:
       return toned(say(Word::say_silhouette, label(hit, Case::accusative)), false);
     case Source::diffuse:
@@ -205,6 +208,10 @@ std::string Speaker::of_root() const {
 /// Where a reflected or refracted ray gives most.
 std::string Speaker::of_child() const {
   const std::string share = percent(s_.of_ray);
+  if (s_.main.source == Source::fog)
+    return toned(say(Word::say_fog_by, share, by_the_way()), false);
+  if (s_.main.source == Source::background && main_ray().hit)
+    return toned(say(Word::say_sky_beyond, share), false);
   if (!main_ray().hit) return toned(say(Word::say_from_background, share, by_the_way()), false);
   const ExplainedHit& hit = *main_ray().hit;
   const std::string from =
@@ -260,6 +267,11 @@ std::string Speaker::on_the_way() const {
   const double most = *std::max_element(left.begin(), left.end());
   const double least = *std::min_element(left.begin(), left.end());
   if (least < 1 - kNotableWeight) text += " " + say(Word::say_absorbed, percent(most));
+  double clear = 1;
+  for (auto r = static_cast<int>(s_.main.ray); r >= 0; r = ray(static_cast<std::size_t>(r)).parent)
+    if (const auto& fog = ray(static_cast<std::size_t>(r)).fog) clear *= static_cast<double>(fog->left);
+  if (clear < 1 - kNotableWeight && s_.main.source != Source::fog)
+    text += " " + say(Word::say_fog, percent(clear));
   return text;
 }
 

@@ -225,6 +225,7 @@ void Writer::child(const RayTree& tree, const Child& child, RayKind kind, const 
 /// What the ray brings back.
 void Writer::sum(const RayTree& tree, const ExplainedRay& ray, const std::string& lead) {
   if (!ray.hit) {
+    if (ray.fog) return line(lead, fog_line(options_.language, e_, ray));
     line(lead, fmt::format("C = {} = {}", say(name_of_sky(e_)),
                            in(Style::result, short_vector(ray.color))));
     return;
@@ -247,6 +248,13 @@ void Writer::sum(const RayTree& tree, const ExplainedRay& ray, const std::string
     symbols += fmt::format(" + Σ {}·Crefr", share_symbols(hit, hit.split.front().child, false, true));
     numbers += " + " + short_vector(brought_by_split(tree, hit));
   }
+  note(lead, sky_beyond_line(options_.language, hit));
+  if (hit.sky_beyond) {
+    symbols += " + S";
+    numbers += " + " + short_vector(hit.sky_beyond->reflected) + " + " +
+               short_vector(hit.sky_beyond->refracted);
+  }
+  const Float3 brought = before_fog(e_, ray);
   const bool alone = symbols == "I";
   std::string text = alone ? "C = I = " : fmt::format("C = {} = {} = ", symbols, numbers);
   const Float3 clamped = after_clamp(e_, hit.sum);
@@ -257,10 +265,11 @@ void Writer::sum(const RayTree& tree, const ExplainedRay& ray, const std::string
     else
       text += fmt::format("{}, {}: {}·T = {}·{} = ", short_vector(hit.sum), say(Word::clamped),
                           short_vector(clamped), short_vector(clamped), left);
-  } else if (hit.sum != ray.color) {
+  } else if (hit.sum != brought) {
     text += fmt::format("{}, {}: ", short_vector(hit.sum), say(Word::clamped));
   }
-  line(lead, text + in(Style::result, short_vector(ray.color)));
+  line(lead, text + in(Style::result, short_vector(brought)));
+  if (ray.fog) line(lead, fog_line(options_.language, e_, ray));
 }
 
 /// All lines of a ray below its title.

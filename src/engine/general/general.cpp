@@ -76,6 +76,16 @@ std::int32_t medium_of(const Inside& inside, const OpticalMaterial* materials) {
   return best;
 }
 
+double clear_share(const OpticalFog& fog, double length) {
+  const double behind = length - fog.start, thick = fog.density * behind;
+  double left = 1;
+  if (fog.kind == Fog::Kind::linear)
+    left = fog.end > fog.start ? (fog.end - length) / (fog.end - fog.start) : (behind < 0 ? 1 : 0);
+  if (fog.kind == Fog::Kind::exponential) left = thick > 0 ? elementary::exp(-thick) : 1;
+  if (fog.kind == Fog::Kind::squared) left = thick > 0 ? elementary::exp(-thick * thick) : 1;
+  return std::fmin(std::fmax(left, 0.0), 1.0);
+}
+
 V3<double> transmittance_of(const V3<double>& absorption, double distance) {
   const auto left = [&](double a) { return a > 0 ? elementary::exp(-a * distance) : 1.0; };
   return {left(absorption.x), left(absorption.y), left(absorption.z)};
@@ -104,28 +114,20 @@ V3<R> sky_color(const FrozenScene<R>& scene, const V3<double>& direction) {
   return scene.background;
 }
 
-/// What fog leaves of the light after a length.
-double clear_share(const OpticalFog& fog, double length) {
-  const double behind = length - fog.start, thick = fog.density * behind;
-  double left = 1;
-  if (fog.kind == Fog::Kind::linear)
-    left = fog.end > fog.start ? (fog.end - length) / (fog.end - fog.start) : (behind < 0 ? 1 : 0);
-  if (fog.kind == Fog::Kind::exponential) left = thick > 0 ? elementary::exp(-thick) : 1;
-  if (fog.kind == Fog::Kind::squared) left = thick > 0 ? elementary::exp(-thick * thick) : 1;
-  return std::fmin(std::fmax(left, 0.0), 1.0);
+/// What fog leaves of the colour of a ray that is so long; infinite: it hits nothing.
+template <class R>
+R clear_share_of(const Batch<R>& batch, std::size_t ray, double length) {
+  const OpticalFog& fog = batch.optics().fog;
+  if (fog.kind == Fog::Kind::none) return R(1);
+  if (fog.planar && !(length < std::numeric_limits<double>::infinity())) return R(1);
+  if (fog.planar && batch.rays[ray].kind == RayKind::camera)
+    length *= dot(three(batch.level.rays.dx, batch.level.rays.dy, batch.level.rays.dz, ray), fog.ahead);
+  return static_cast<R>(clear_share(fog, length));
 }
 
-/// The colour of a ray that is so long, seen through the fog; infinite: it hits nothing.
 template <class R>
-V3<R> through_fog(const Batch<R>& batch, std::size_t ray, double length, const V3<R>& color) {
-  const OpticalFog& fog = batch.optics().fog;
-  if (fog.kind == Fog::Kind::none) return color;
-  const bool from_eye = batch.rays[ray].kind == RayKind::camera;
-  if (fog.planar && !(length < std::numeric_limits<double>::infinity())) return color;
-  if (fog.planar && from_eye)
-    length *= dot(three(batch.level.rays.dx, batch.level.rays.dy, batch.level.rays.dz, ray), fog.ahead);
-  const auto left = static_cast<R>(clear_share(fog, length));
-  return color * left + narrowed<R>(fog.color) * (R(1) - left);
+V3<R> through_fog(const OpticalFog& fog, R clear, const V3<R>& color) {
+  return clear == R(1) ? color : color * clear + narrowed<R>(fog.color) * (R(1) - clear);
 }
 
 /// Copies hit `from` of one scratch to hit `to` of another.
@@ -238,8 +240,8 @@ void find_hits(const Batch<R>& batch) {
     const V3<R> color =
         plain ? batch.scene.background
               : sky_color(batch.scene, three(level.rays.dx, level.rays.dy, level.rays.dz, at));
-    const V3<R> seen =
-        through_fog(batch, at, std::numeric_limits<double>::infinity(), color);
+    const R clear = clear_share_of(batch, at, std::numeric_limits<double>::infinity());
+    const V3<R> seen = through_fog(batch.optics().fog, clear, color);
     level.rays.r[ray] = seen.x, level.rays.g[ray] = seen.y, level.rays.b[ray] = seen.z;
   }
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
@@ -251,7 +253,9 @@ void find_hits(const Batch<R>& batch) {
     hit.enclosing = wants_bodies && has_inside(batch.scene, batch.scratch.paths[h]);
     hit.medium = -1;
     hit.transmittance = {R(1), R(1), R(1)};
-    hit.way = static_cast<double>(batch.scratch.t[level.hits.ray[h]]);
+    const std::int32_t of = level.hits.ray[h];
+    const auto length = static_cast<double>(batch.scratch.t[of]);
+    hit.clear = clear_share_of(batch, static_cast<std::size_t>(level.done + of), length);
     if (!has_media) continue;
     RayState<R>& ray = batch.ray_of(h);
     // What a ray leaves it has been inside of, whether or not it is known how it came in.
@@ -260,8 +264,7 @@ void find_hits(const Batch<R>& batch) {
     hit.medium = medium_of(ray.inside, batch.optics().materials);
     if (hit.medium < 0 || !batch.optics().materials[hit.medium].absorbs()) continue;
     hit.transmittance = narrowed<R>(
-        transmittance_of(batch.optics().materials[hit.medium].absorption,
-                         static_cast<double>(batch.scratch.t[level.hits.ray[h]])));
+        transmittance_of(batch.optics().materials[hit.medium].absorption, length));
   }
 }
 
@@ -273,6 +276,7 @@ void fold(const Batch<R>& batch, const Level<R>* next, const RayState<R>* next_r
     HitState<R>& hit = batch.hits[h];
     V3<R> color{level.hits.r[h], level.hits.g[h], level.hits.b[h]};
     R cut = most_of(hit.missing);
+    if (batch.settings.sky_beyond) color = color + hit.beyond_reflected + hit.beyond_refracted;
     if (next != nullptr)
       for (std::int32_t c = hit.first_child; c < hit.first_child + hit.child_count; ++c) {
         const V3<R> brought{next->rays.r[c], next->rays.g[c], next->rays.b[c]};
@@ -286,7 +290,7 @@ void fold(const Batch<R>& batch, const Level<R>* next, const RayState<R>* next_r
     }
     color = color * hit.transmittance;
     const std::int32_t ray = level.done + level.hits.ray[h];
-    color = through_fog(batch, static_cast<std::size_t>(ray), hit.way, color);
+    color = through_fog(batch.optics().fog, hit.clear, color);
     level.rays.r[ray] = color.x, level.rays.g[ray] = color.y, level.rays.b[ray] = color.z;
     batch.rays[ray].cut = cut;
   }
@@ -297,19 +301,18 @@ void fold(const Batch<R>& batch, const Level<R>* next, const RayState<R>* next_r
 
 /// What rays bring that are too deep to be traced: the sky's colour.
 template <class R>
-void add_sky_beyond(const Batch<R>& batch) {
+void find_sky_beyond(const Batch<R>& batch) {
   const Terms& terms = batch.settings.terms;
-  HitArrays<R>& hits = batch.level.hits;
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     const OpticalMaterial& material = batch.material(h);
     const V3<double> normal = batch.normal(h), view = batch.view(h);
-    V3<R> color{hits.r[h], hits.g[h], hits.b[h]};
+    HitState<R>& hit = batch.hits[h];
     if (terms.reflection)
-      color = color + reflection_of(material, batch.row(h)) *
-                          sky_color(batch.scene, normal * (2 * dot(view, normal)) - view);
+      hit.beyond_reflected = reflection_of(material, batch.row(h)) *
+                             sky_color(batch.scene, normal * (2 * dot(view, normal)) - view);
     if (terms.refraction)
-      color = color + refraction_of(material, batch.row(h)) * sky_color(batch.scene, -view);
-    hits.r[h] = color.x, hits.g[h] = color.y, hits.b[h] = color.z;
+      hit.beyond_refracted =
+          refraction_of(material, batch.row(h)) * sky_color(batch.scene, -view);
   }
 }
 
@@ -321,7 +324,7 @@ void trace_batch(const Batch<R>& batch, std::int32_t size, Level<R>* next, RaySt
   take_coefficients(batch.scene, level, batch.scratch);
   light_hits(batch);
   const Terms& terms = batch.settings.terms;
-  if (next == nullptr && batch.settings.sky_beyond && !terms.silhouette) add_sky_beyond(batch);
+  if (next == nullptr && batch.settings.sky_beyond && !terms.silhouette) find_sky_beyond(batch);
   if (next == nullptr || terms.silhouette || !(terms.reflection || terms.refraction)) return;
   spawn(batch, *next, next_rays);
   if (batch.general.listener != nullptr)

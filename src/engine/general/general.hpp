@@ -74,7 +74,8 @@ struct HitState {
   std::int32_t first_child, child_count;
   std::uint64_t body;
   bool enclosing;  ///< has an inside that rays can be in
-  double way;      ///< the ray's length up to it
+  R clear;         ///< what fog leaves of its colour over that length
+  V3<R> beyond_reflected, beyond_refracted;  ///< the sky's, in place of children that are too deep
   // For explanations.
   V3<R> sum;              ///< local light and children, before clamping and transmittance
   std::int32_t material;

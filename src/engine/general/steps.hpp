@@ -91,6 +91,9 @@ std::int32_t medium_of(const Inside& inside, const OpticalMaterial* materials);
 /// exp(-a·d) for each channel.
 V3<double> transmittance_of(const V3<double>& absorption, double distance);
 
+/// What fog leaves of light after a length; 1 without fog.
+double clear_share(const OpticalFog& fog, double length);
+
 /// k2 of a hit: the texture's, or the material's.
 template <class R>
 V3<R> refraction_of(const OpticalMaterial& material, const R* row) {
