@@ -74,6 +74,7 @@ bool TachyonReader::read_camera() {
       if (!number(focal_length_, "FOCALLENGTH") || !number_of("APERTURE", aperture_)) return false;
       if (!(focal_length_ > 0))
         return fail(length, fmt::format("FOCALLENGTH is {}: expected more than 0", focal_length_));
+      aperture_ = std::fabs(aperture_);
     }
   }
   const char* const zoom = in_->place();
