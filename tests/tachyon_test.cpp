@@ -242,8 +242,8 @@ TEST(Tachyon, ImagesInTheFileAreLaidOntoPlanes) {
 TEST(Tachyon, WhatIsLeftOutIsSaidWithItsLine) {
   EXPECT_EQ(answer(kHead + kCamera + "START_CLIPGROUP NUMPLANES 1 1 0 0 2 END_CLIPGROUP\n"),
             "f.dat:7:17: warning: START_CLIPGROUP is left out: what its planes cut off is drawn\n"
-            "    START_CLIPGROUP NUMPLANES 1 1 0 0 2 END_CLIPGROUP\n"
-            "                    ^\n");
+            "  START_CLIPGROUP NUMPLANES 1 1 0 0 2 END_CLIPGROUP\n"
+            "                  ^\n");
   EXPECT_EQ(first_line(kHead + kCamera + "SPHERE CENTER 0 0 0 RAD 1 nobody\n" +
                        "SPHERE CENTER 0 0 0 RAD 1 nobody\n"),
             "f.dat:7:27: warning: there is no TEXDEF 'nobody' before this: white is taken (2 times)");
@@ -252,8 +252,8 @@ TEST(Tachyon, WhatIsLeftOutIsSaidWithItsLine) {
 TEST(Tachyon, SaysWhatWasExpectedAndWhere) {
   EXPECT_EQ(answer(kHead + kCamera + "SPHERE CENTER 0 0 0 RADIUS 1 red\n"),
             "f.dat:7:21: error: 'RADIUS' does not belong here: expected RAD of SPHERE\n"
-            "    SPHERE CENTER 0 0 0 RADIUS 1 red\n"
-            "                        ^\n");
+            "  SPHERE CENTER 0 0 0 RADIUS 1 red\n"
+            "                      ^\n");
   const std::string at = "f.dat:3:";
   const auto says = [&](const std::string& line, const std::string& expected) {
     EXPECT_EQ(first_line(kHead + line), at + expected);
@@ -316,24 +316,24 @@ TEST_F(TachyonFiles, IncludedFilesAreReadInTheirFolderAlone) {
   EXPECT_EQ(answer_of(kHead + kCamera + "INCLUDE ../part.dat\n"),
             "f.dat:7:9: error: ../part.dat cannot be read: '../part.dat' lies outside of the scene's "
             "folder\n"
-            "    INCLUDE ../part.dat\n"
-            "            ^\n"
-            "hint: put it beside the scene, or allow it with --allow-outside\n");
+            "  INCLUDE ../part.dat\n"
+            "          ^\n"
+            "  put it beside the scene, or allow it with --allow-outside\n");
   EXPECT_EQ(answer_of(kHead + kCamera + "INCLUDE ../part.dat\n", true), "");
   write("scene/bad.dat", "SPHERE CENTER x\n");
   EXPECT_EQ(answer_of(kHead + kCamera + "INCLUDE bad.dat\n"),
             "bad.dat:1:15: error: 'x' is not a finite number: expected CENTER of SPHERE\n"
-            "    SPHERE CENTER x\n"
-            "                  ^\n");
+            "  SPHERE CENTER x\n"
+            "                ^\n");
 }
 
 TEST_F(TachyonFiles, FilesThatIncludeEachOtherEnd) {
   write("scene/loop.dat", "INCLUDE loop.dat\nINCLUDE loop.dat\n");
   EXPECT_EQ(answer_of(kHead + kCamera + "INCLUDE loop.dat\n"),
             "loop.dat:1:9: error: files include each other more than 16 deep\n"
-            "    INCLUDE loop.dat\n"
-            "            ^\n"
-            "hint: does one of them include itself?\n");
+            "  INCLUDE loop.dat\n"
+            "          ^\n"
+            "  does one of them include itself?\n");
 }
 
 TEST_F(TachyonFiles, PolygonsAreScaledTurnedAndMoved) {
