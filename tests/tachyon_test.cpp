@@ -26,7 +26,7 @@ const std::string kRed =
 
 std::string told(const Result<ReadScene>& read) {
   std::string all;
-  for (const Diagnostic& d : read ? read->warnings : read.error()) all += to_string(d) + "\n";
+  for (const Diagnostic& d : read ? read->warnings : read.error()) all += to_string(d);
   return all;
 }
 std::string answer(const std::string& text) {
