@@ -37,7 +37,7 @@ done
 # What is wrong is told, ends with 1 or 2, and nothing is written.
 sed 's/Rad 9/Radius 9/' "$folder/one.dat" >"$folder/bad.dat"
 expect 1 "bad.dat:7:21: error: 'Radius' does not belong here: expected RAD of SPHERE" "$tachyon" "$folder/bad.dat" -o "$folder/none"
-expect 1 "there is no such file" "$tachyon" "$folder/missing.dat" -o "$folder/none"
+expect 1 "cannot be read: No such file" "$tachyon" "$folder/missing.dat" -o "$folder/none"
 [ -e "$folder/none" ] && fail "a picture of a wrong scene"
 expect 2 "there is no option -fast" "$tachyon" "$folder/one.dat" -fast
 expect 2 "-res needs a value" "$tachyon" "$folder/one.dat" -res 4

@@ -272,14 +272,14 @@ TEST(Tachyon, SaysWhatWasExpectedAndWhere) {
   says("POLYCYLINDER POINTS 1e300",
        "21: error: POINTS of POLYCYLINDER is 1e+300: expected a whole number from 0 to 1000000000");
   says("VERTEXARRAY NUMVERTS 1 COORDS 0 0 0 NORMALS 0 0 1 TRIMESH 1 0 0 1 END_VERTEXARRAY",
-       "67: error: the index 1 is none of VERTEXARRAY: expected a whole number, less than 1");
+       "65: error: the index 1 is none of VERTEXARRAY: expected a whole number, less than 1");
   says("IMAGEDEF i FORMAT RGB24 RESOLUTION 99999 99999 99999 ENCODING HEX fff",
        "36: error: RESOLUTION of IMAGEDEF is 99999, more than the rest of the file can hold");
   says("IMAGEDEF i FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX fg0 ",
        "55: error: 'fg0' is no colour of IMAGEDEF: expected 3, 6, 9 or 12 hexadecimal digits");
   says("FOG THICK", "5: error: 'THICK' is no fog: expected LINEAR, EXP, EXP2 or OFF");
   says("RESOLUTION 100000 100000",
-       "11: error: RESOLUTION is 100000 100000: expected 134217728 pixels at most");
+       "12: error: RESOLUTION is 100000 100000: expected 134217728 pixels at most");
   says("INCLUDE other.dat",
        "9: error: other.dat cannot be read: files beside the scene need a folder");
   EXPECT_EQ(first_line("BEGIN_SCEN\n"), "f.dat:1:1: error: 'BEGIN_SCEN' does not belong here: expected "
