@@ -21,8 +21,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const zraka::Material& material : scene.materials)
     for (const zraka::TextureUse& use : material.textures)
       if (use.texture >= scene.textures.size()) std::abort();
-#define ZRAKA_CHECK(Type, plural)           \
-  for (const auto& object : scene.plural)   \
+#define ZRAKA_CHECK(Type, plural)         \
+  for (const auto& object : scene.plural) \
     if (object.material >= scene.materials.size()) std::abort();
   ZRAKA_SHAPES(ZRAKA_CHECK)
 #undef ZRAKA_CHECK

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tachyon's scenes: what they mean, and the exact answer to each way of getting them wrong.
+#include "formats/tachyon.hpp"
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -10,8 +12,6 @@
 #include <string>
 #include <zraka/formats.hpp>
 #include <zraka/render.hpp>
-
-#include "formats/tachyon.hpp"
 
 namespace zraka {
 namespace {
@@ -26,7 +26,7 @@ const std::string kRed =
 
 std::string told(const Result<ReadScene>& read) {
   std::string all;
-  for (const Diagnostic& d : read ? read->warnings : read.error()) all += to_string(d) + "\n";
+  for (const Diagnostic& d : read ? read->warnings : read.error()) all += to_string(d);
   return all;
 }
 std::string answer(const std::string& text) {
@@ -54,7 +54,8 @@ void expect_near(const Color& a, const Color& b) {
 class TachyonFiles : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("zraka_tachyon_" + std::to_string(getpid()));
+    folder_ =
+        std::filesystem::temp_directory_path() / ("zraka_tachyon_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder_ / "scene");
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
@@ -67,7 +68,8 @@ class TachyonFiles : public testing::Test {
     options.allow_outside = outside;
     const std::string path = (folder_ / "scene" / "f.dat").string();
     std::string all = told(read_scene(path, options));
-    for (std::size_t at; (at = all.find(path)) != std::string::npos;) all.replace(at, path.size(), "f.dat");
+    for (std::size_t at; (at = all.find(path)) != std::string::npos;)
+      all.replace(at, path.size(), "f.dat");
     return all;
   }
   std::filesystem::path folder_;
@@ -125,7 +127,8 @@ TEST(Tachyon, TextureIsAmbientDiffuseMirrorAndBlinnHighlight) {
 }
 
 TEST(Tachyon, MetalShinesInItsColourWhateverTheLight) {
-  std::string text = kHead + kRed + "DIRECTIONAL_LIGHT DIRECTION 0 0 1 COLOR 0.5 0.5 0.5\n" + "SPHERE CENTER 1 2 3 RAD 0.5 red\n";
+  std::string text = kHead + kRed + "DIRECTIONAL_LIGHT DIRECTION 0 0 1 COLOR 0.5 0.5 0.5\n" +
+                     "SPHERE CENTER 1 2 3 RAD 0.5 red\n";
   text.replace(text.find("PLASTIC"), 7, "METAL");
   const Scene s = scene(text);
   expect_near(s.materials[s.spheres[0].material].specular, {1.5, 0.75, 0});
@@ -166,7 +169,8 @@ TEST(Tachyon, LightsAreSeenAndThrowNoShadow) {
 }
 
 TEST(Tachyon, ModesLeaveOutMoreAndMore) {
-  const std::string text = kHead + kRed + "SPHERE CENTER 1 2 3 RAD 0.5 red BACKGROUND 0.1 0.2 0.3\n";
+  const std::string text =
+      kHead + kRed + "SPHERE CENTER 1 2 3 RAD 0.5 red BACKGROUND 0.1 0.2 0.3\n";
   EXPECT_EQ(scene(text, {.mode = TachyonMode::medium}).defaults.shadows, Shadows::off);
   const Scene low = scene(text, {.mode = TachyonMode::low});
   expect_near(low.materials[0].ambient, {1, 0.5, 0});
@@ -178,10 +182,11 @@ TEST(Tachyon, ModesLeaveOutMoreAndMore) {
 }
 
 TEST(Tachyon, AmbientOcclusionIsLightOfTheDiffuseShare) {
-  const Scene s = scene(kHead + kRed +
-                        "SPHERE CENTER 1 2 3 RAD 0.5 red LIGHT CENTER 0 0 0 RAD 0 COLOR 1 1 1\n"
-                        "SHADER_MODE FULL AMBIENT_OCCLUSION AMBIENT_COLOR 0.5 0.6 0.7 RESCALE_DIRECT "
-                        "0.2 SAMPLES 12 END_SHADER_MODE\n");
+  const Scene s =
+      scene(kHead + kRed +
+            "SPHERE CENTER 1 2 3 RAD 0.5 red LIGHT CENTER 0 0 0 RAD 0 COLOR 1 1 1\n"
+            "SHADER_MODE FULL AMBIENT_OCCLUSION AMBIENT_COLOR 0.5 0.6 0.7 RESCALE_DIRECT "
+            "0.2 SAMPLES 12 END_SHADER_MODE\n");
   EXPECT_EQ(s.ambient_occlusion.samples, 12);
   EXPECT_EQ(s.ambient_occlusion.color, (Color{0.5, 0.6, 0.7}));
   expect_near(s.materials[0].ambient, {0.6, 0.3, 0});
@@ -202,8 +207,8 @@ TEST(Tachyon, CornersOfPaintedTrianglesKeepTheirColours) {
   // The middle of the texel that each corner's u and v lead to has half its colour.
   for (std::size_t i = 0; i < 3; ++i) {
     const auto [u, v] = s.smooth_triangle_uvs[0][i];
-    const float* const texel = image.row(static_cast<std::uint32_t>((1 - v) * 2)) +
-                               3 * static_cast<std::size_t>(u * 2);
+    const float* const texel =
+        image.row(static_cast<std::uint32_t>((1 - v) * 2)) + 3 * static_cast<std::size_t>(u * 2);
     for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(texel[k], i == k ? 0.5f : 0.0f) << i << k;
   }
 }
@@ -242,48 +247,53 @@ TEST(Tachyon, ImagesInTheFileAreLaidOntoPlanes) {
 TEST(Tachyon, WhatIsLeftOutIsSaidWithItsLine) {
   EXPECT_EQ(answer(kHead + kCamera + "START_CLIPGROUP NUMPLANES 1 1 0 0 2 END_CLIPGROUP\n"),
             "f.dat:7:17: warning: START_CLIPGROUP is left out: what its planes cut off is drawn\n"
-            "    START_CLIPGROUP NUMPLANES 1 1 0 0 2 END_CLIPGROUP\n"
-            "                    ^\n");
-  EXPECT_EQ(first_line(kHead + kCamera + "SPHERE CENTER 0 0 0 RAD 1 nobody\n" +
-                       "SPHERE CENTER 0 0 0 RAD 1 nobody\n"),
-            "f.dat:7:27: warning: there is no TEXDEF 'nobody' before this: white is taken (2 times)");
+            "  START_CLIPGROUP NUMPLANES 1 1 0 0 2 END_CLIPGROUP\n"
+            "                  ^\n");
+  EXPECT_EQ(
+      first_line(kHead + kCamera + "SPHERE CENTER 0 0 0 RAD 1 nobody\n" +
+                 "SPHERE CENTER 0 0 0 RAD 1 nobody\n"),
+      "f.dat:7:27: warning: there is no TEXDEF 'nobody' before this: white is taken (2 times)");
 }
 
 TEST(Tachyon, SaysWhatWasExpectedAndWhere) {
   EXPECT_EQ(answer(kHead + kCamera + "SPHERE CENTER 0 0 0 RADIUS 1 red\n"),
             "f.dat:7:21: error: 'RADIUS' does not belong here: expected RAD of SPHERE\n"
-            "    SPHERE CENTER 0 0 0 RADIUS 1 red\n"
-            "                        ^\n");
+            "  SPHERE CENTER 0 0 0 RADIUS 1 red\n"
+            "                      ^\n");
   const std::string at = "f.dat:3:";
   const auto says = [&](const std::string& line, const std::string& expected) {
     EXPECT_EQ(first_line(kHead + line), at + expected);
   };
-  says("SPHERE CENTER 0 nan 0", "17: error: 'nan' is not a finite number: expected CENTER of SPHERE");
-  says("SPHERE CENTER 0 inf 0", "17: error: 'inf' is not a finite number: expected CENTER of SPHERE");
+  says("SPHERE CENTER 0 nan 0",
+       "17: error: 'nan' is not a finite number: expected CENTER of SPHERE");
+  says("SPHERE CENTER 0 inf 0",
+       "17: error: 'inf' is not a finite number: expected CENTER of SPHERE");
   says("SPHERE CENTER 0 1e999 0",
        "17: error: '1e999' is not a finite number: expected CENTER of SPHERE");
   says("SPHERE CENTER 0", "16: error: the file ends: expected CENTER of SPHERE");
   says("SPHEER CENTER 0", "1: error: 'SPHEER' is no statement of Tachyon");
   says("#glued", "1: error: '#glued' is no statement of Tachyon");
   says("VERTEXARRAY NUMVERTS 2000000000",
-       "22: error: NUMVERTS of VERTEXARRAY is 2000000000: expected a whole number from 0 to 1000000000");
+       "22: error: NUMVERTS of VERTEXARRAY is 2000000000: expected a whole number from 0 to "
+       "1000000000");
   says("VERTEXARRAY NUMVERTS 900000000 COORDS",
        "22: error: NUMVERTS of VERTEXARRAY is 900000000, more than the rest of the file can hold");
   says("POLYCYLINDER POINTS 1e300",
        "21: error: POINTS of POLYCYLINDER is 1e+300: expected a whole number from 0 to 1000000000");
   says("VERTEXARRAY NUMVERTS 1 COORDS 0 0 0 NORMALS 0 0 1 TRIMESH 1 0 0 1 END_VERTEXARRAY",
-       "67: error: the index 1 is none of VERTEXARRAY: expected a whole number, less than 1");
+       "65: error: the index 1 is none of VERTEXARRAY: expected a whole number, less than 1");
   says("IMAGEDEF i FORMAT RGB24 RESOLUTION 99999 99999 99999 ENCODING HEX fff",
        "36: error: RESOLUTION of IMAGEDEF is 99999, more than the rest of the file can hold");
   says("IMAGEDEF i FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX fg0 ",
        "55: error: 'fg0' is no colour of IMAGEDEF: expected 3, 6, 9 or 12 hexadecimal digits");
   says("FOG THICK", "5: error: 'THICK' is no fog: expected LINEAR, EXP, EXP2 or OFF");
   says("RESOLUTION 100000 100000",
-       "11: error: RESOLUTION is 100000 100000: expected 134217728 pixels at most");
+       "12: error: RESOLUTION is 100000 100000: expected 134217728 pixels at most");
   says("INCLUDE other.dat",
        "9: error: other.dat cannot be read: files beside the scene need a folder");
-  EXPECT_EQ(first_line("BEGIN_SCEN\n"), "f.dat:1:1: error: 'BEGIN_SCEN' does not belong here: expected "
-                                        "BEGIN_SCENE of the scene");
+  EXPECT_EQ(first_line("BEGIN_SCEN\n"),
+            "f.dat:1:1: error: 'BEGIN_SCEN' does not belong here: expected "
+            "BEGIN_SCENE of the scene");
 }
 
 TEST(Tachyon, ReadsOnAfterAProblem) {
@@ -313,27 +323,28 @@ TEST_F(TachyonFiles, IncludedFilesAreReadInTheirFolderAlone) {
   write("scene/part.dat", kRed + "SPHERE CENTER 1 2 3 RAD 0.5 red\nEND_SCENE\n");
   EXPECT_EQ(answer_of(kHead + kCamera + "INCLUDE part.dat\nSPHERE CENTER 1 2 3 RAD 0.5 red\n"), "");
   write("part.dat", kRed);
-  EXPECT_EQ(answer_of(kHead + kCamera + "INCLUDE ../part.dat\n"),
-            "f.dat:7:9: error: ../part.dat cannot be read: '../part.dat' lies outside of the scene's "
-            "folder\n"
-            "    INCLUDE ../part.dat\n"
-            "            ^\n"
-            "hint: put it beside the scene, or allow it with --allow-outside\n");
+  EXPECT_EQ(
+      answer_of(kHead + kCamera + "INCLUDE ../part.dat\n"),
+      "f.dat:7:9: error: ../part.dat cannot be read: '../part.dat' lies outside of the scene's "
+      "folder\n"
+      "  INCLUDE ../part.dat\n"
+      "          ^\n"
+      "  put it beside the scene, or allow it with --allow-outside\n");
   EXPECT_EQ(answer_of(kHead + kCamera + "INCLUDE ../part.dat\n", true), "");
   write("scene/bad.dat", "SPHERE CENTER x\n");
   EXPECT_EQ(answer_of(kHead + kCamera + "INCLUDE bad.dat\n"),
             "bad.dat:1:15: error: 'x' is not a finite number: expected CENTER of SPHERE\n"
-            "    SPHERE CENTER x\n"
-            "                  ^\n");
+            "  SPHERE CENTER x\n"
+            "                ^\n");
 }
 
 TEST_F(TachyonFiles, FilesThatIncludeEachOtherEnd) {
   write("scene/loop.dat", "INCLUDE loop.dat\nINCLUDE loop.dat\n");
   EXPECT_EQ(answer_of(kHead + kCamera + "INCLUDE loop.dat\n"),
             "loop.dat:1:9: error: files include each other more than 16 deep\n"
-            "    INCLUDE loop.dat\n"
-            "            ^\n"
-            "hint: does one of them include itself?\n");
+            "  INCLUDE loop.dat\n"
+            "          ^\n"
+            "  does one of them include itself?\n");
 }
 
 TEST_F(TachyonFiles, PolygonsAreScaledTurnedAndMoved) {
@@ -348,13 +359,15 @@ TEST_F(TachyonFiles, PolygonsAreScaledTurnedAndMoved) {
 
 /// A sphere as large as the picture, from the front: what the middle pixel is.
 Color middle_of(const std::string& more) {
-  Scene s = scene("BEGIN_SCENE RESOLUTION 3 3\n"
-                  "CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 4 CENTER 0 0 -5 VIEWDIR 0 0 1 "
-                  "UPDIR 0 1 0 FRUSTUM -0.002 0.001 -0.002 0.001 END_CAMERA\n"
-                  "TEXDEF white AMBIENT 0.25 DIFFUSE 0 SPECULAR 0 OPACITY 1 COLOR 1 1 1 TEXFUNC 0\n"
-                  "SPHERE CENTER 0 0 0 RAD 1 white\n" +
-                  more);
-  const Result<Rendering> picture = render(s, {.profile = profile_of(ProfileName::tachyon), .threads = 1});
+  Scene s = scene(
+      "BEGIN_SCENE RESOLUTION 3 3\n"
+      "CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 4 CENTER 0 0 -5 VIEWDIR 0 0 1 "
+      "UPDIR 0 1 0 FRUSTUM -0.002 0.001 -0.002 0.001 END_CAMERA\n"
+      "TEXDEF white AMBIENT 0.25 DIFFUSE 0 SPECULAR 0 OPACITY 1 COLOR 1 1 1 TEXFUNC 0\n"
+      "SPHERE CENTER 0 0 0 RAD 1 white\n" +
+      more);
+  const Result<Rendering> picture =
+      render(s, {.profile = profile_of(ProfileName::tachyon), .threads = 1});
   if (!picture) return {};
   const float* const p = picture->image.row(1) + 3;
   return {p[0], p[1], p[2]};
@@ -365,7 +378,8 @@ TEST(TachyonPicture, FogTakesTheShareThatTheDistanceLeaves) {
   const Color linear = middle_of("FOG LINEAR START 2 END 6 DENSITY 1 COLOR 1 0 0\n");
   EXPECT_NEAR(linear.r, 0.25 * 0.5 + 0.5, 1e-4);
   EXPECT_NEAR(linear.g, 0.125, 1e-4);
-  EXPECT_NEAR(middle_of("FOG EXP START 2 END 6 DENSITY 0.5 COLOR 0 0 0\n").r, 0.25 * std::exp(-1.0), 1e-4);
+  EXPECT_NEAR(middle_of("FOG EXP START 2 END 6 DENSITY 0.5 COLOR 0 0 0\n").r, 0.25 * std::exp(-1.0),
+              1e-4);
   EXPECT_NEAR(middle_of("FOG EXP2 START 2 END 6 DENSITY 0.75 COLOR 0 0 0\n").r,
               0.25 * std::exp(-2.25), 1e-4);
 }

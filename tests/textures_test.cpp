@@ -461,5 +461,31 @@ TEST(Textures, HaveTheSameBitsEverywhere) {
   EXPECT_EQ(hash, 13108533553190857551u);
 }
 
+TEST(RolledTextures, GoRoundTheYAxisWhateverTheShape) {
+  Texture checker;
+  checker.mapping = TextureMapping::cylinder;
+  checker.repeat_u = 4, checker.repeat_v = 2;
+  const auto value = [](const Texture& texture, const V3<double>& point) {
+    TexturePoint at;
+    at.point = point;
+    return TextureSet({texture}).value(0, at).x;
+  };
+  // A quarter of the way round, and half a unit of height, for each cell.
+  EXPECT_EQ(value(checker, {1, 0.25, 0.1}), 1);
+  EXPECT_EQ(value(checker, {9, 0.25, 0.9}), 1);
+  EXPECT_EQ(value(checker, {-0.1, 0.25, 1}), 0);
+  EXPECT_EQ(value(checker, {-1, 0.25, -0.1}), 1);
+  EXPECT_EQ(value(checker, {1, 0.25, -0.1}), 0);
+  EXPECT_EQ(value(checker, {1, 0.75, 0.1}), 0);
+  checker.offset_u = 1;
+  EXPECT_EQ(value(checker, {1, 0.25, 0.1}), 0);
+  // From straight down to straight up in two cells, however far.
+  checker.mapping = TextureMapping::sphere;
+  checker.offset_u = 0;
+  EXPECT_EQ(value(checker, {1, -5, 0.1}), 1);
+  EXPECT_EQ(value(checker, {1, 5, 0.1}), 0);
+  EXPECT_EQ(value(checker, {10, -0.1, 0.1}), 1);
+}
+
 }  // namespace
 }  // namespace zraka

@@ -69,7 +69,8 @@ std::string bmp(const Image& image) {
 }
 
 std::string ppm(const Image& image, int bits) {
-  std::string bytes = fmt::format("P6\n{} {}\n{}\n", image.width, image.height, bits == 8 ? 255 : 65535);
+  std::string bytes =
+      fmt::format("P6\n{} {}\n{}\n", image.width, image.height, bits == 8 ? 255 : 65535);
   bytes.reserve(bytes.size() + image.pixels.size() * static_cast<std::size_t>(bits) / 8);
   for (const float value : image.pixels) {
     const std::uint16_t stored = quantize(value, Transfer::linear, bits);
@@ -81,7 +82,8 @@ std::string ppm(const Image& image, int bits) {
 
 Result<void> write(const Image& image, const TachyonArguments& arguments) {
   if (arguments.format == "PNG")
-    return write_png(image, arguments.output, {.transfer = Transfer::linear, .threads = arguments.threads});
+    return write_png(image, arguments.output,
+                     {.transfer = Transfer::linear, .threads = arguments.threads});
   if (arguments.format == "JPEG") {
     Result<NewFile> file = NewFile::create(arguments.output);
     if (!file) return tl::make_unexpected(file.error());
@@ -97,8 +99,9 @@ Result<void> write(const Image& image, const TachyonArguments& arguments) {
   if (arguments.format == "TARGA" && !small)
     return failure(arguments.output, "a Targa has at most 65535 columns and rows");
   return write_text_file(arguments.output, arguments.format == "TARGA" ? targa(image)
-                                           : arguments.format == "BMP" ? bmp(image)
-                                           : ppm(image, arguments.format == "PPM48" ? 16 : 8));
+                                           : arguments.format == "BMP"
+                                               ? bmp(image)
+                                               : ppm(image, arguments.format == "PPM48" ? 16 : 8));
 }
 
 /// -normalize divides by what is brightest, where that is more than 1; then -gamma.
@@ -133,7 +136,8 @@ Result<ReadScene> read(const TachyonArguments& arguments) {
 
 int run(const TachyonArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  if (const Result<void> good = check_outputs({arguments.scene}, {arguments.save ? arguments.output : ""});
+  if (const Result<void> good =
+          check_outputs({arguments.scene}, {arguments.save ? arguments.output : ""});
       !good)
     return fail(good.error());
   Result<ReadScene> read_in = read(arguments);
@@ -141,13 +145,14 @@ int run(const TachyonArguments& arguments) {
   Diagnostics warnings = std::move(read_in->warnings);
   for (const std::string& option : arguments.ignored)
     if (option.starts_with("-trans"))
-      warnings.push_back({.severity = Severity::warning, .message = fmt::format("{} is left out", option)});
+      warnings.push_back(
+          {.severity = Severity::warning, .message = fmt::format("{} is left out", option)});
   show(warnings);
   Scene& scene = read_in->scene;
   RenderOptions options;
   options.profile = profile_of(ProfileName::tachyon);
-  options.max_depth = arguments.depth ? std::clamp(*arguments.depth - 1, 0, kMaxDepth)
-                                      : scene.defaults.max_depth;
+  options.max_depth =
+      arguments.depth ? std::clamp(*arguments.depth - 1, 0, kMaxDepth) : scene.defaults.max_depth;
   options.shadows = scene.defaults.shadows;
   options.sampling = scene.defaults.sampling;
   options.threads = arguments.threads;

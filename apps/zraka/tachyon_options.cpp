@@ -54,7 +54,8 @@ struct Reader {
     if (!problem.empty()) return least;
     const std::optional<double> number = parse_number(text);
     if (number && *number >= least && *number <= most) return *number;
-    problem = fmt::format("{}: '{}' is not a number from {} to {}", option, shown(text), least, most);
+    problem =
+        fmt::format("{}: '{}' is not a number from {} to {}", option, shown(text), least, most);
     return least;
   }
   int integer(const std::string& option, int least, int most) {
@@ -77,7 +78,8 @@ std::string TachyonArguments::read(const std::vector<std::string>& all) {
   while (in.problem.empty() && in.at < all.size()) {
     const std::string word = all[in.at++];
     if (word.size() < 2 || (word[0] != '-' && word[0] != '+')) {
-      if (!scene.empty()) return fmt::format("one scene at a time: '{}' and '{}'", shown(scene), shown(word));
+      if (!scene.empty())
+        return fmt::format("one scene at a time: '{}' and '{}'", shown(scene), shown(word));
       scene = word;
     } else if (word == "-o") {
       output = in.value(word);
@@ -85,9 +87,10 @@ std::string TachyonArguments::read(const std::vector<std::string>& all) {
       format = in_capitals(in.value(word));
       if (in.problem.empty() && format != "TARGA" && format != "BMP" && format != "PPM" &&
           format != "PPM48" && format != "PNG" && format != "JPEG")
-        return fmt::format("-format {} is not written here: there are TARGA, BMP, PPM, PPM48, PNG and "
-                           "JPEG",
-                           shown(format));
+        return fmt::format(
+            "-format {} is not written here: there are TARGA, BMP, PPM, PPM48, PNG and "
+            "JPEG",
+            shown(format));
     } else if (word == "-res") {
       width = static_cast<std::uint32_t>(in.integer(word, 1, 1 << 20));
       height = static_cast<std::uint32_t>(in.integer(word, 1, 1 << 20));

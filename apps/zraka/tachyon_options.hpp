@@ -17,7 +17,7 @@ struct TachyonArguments {
   std::optional<int> depth{}, samples{};
   std::uint32_t width = 0, height = 0;  ///< 0: the scene's
   int threads = 0;
-  double gamma = 0;                        ///< 0: none
+  double gamma = 0;  ///< 0: none
   bool normalize = false, save = true, verbose = false;
   bool help = false, version = false;
   std::vector<std::string> ignored;  ///< options that are understood and make no difference here

@@ -74,8 +74,7 @@ const TachyonReader::Statement* TachyonReader::statement_of(std::string_view wor
 
 bool TachyonReader::fail(const char* at, std::string message, std::string hint) {
   if (!has_enough())
-    errors_.push_back(
-        in_->diagnostic(Severity::error, at, std::move(message), std::move(hint)));
+    errors_.push_back(in_->diagnostic(Severity::error, at, std::move(message), std::move(hint)));
   return false;
 }
 
@@ -102,7 +101,8 @@ bool TachyonReader::number(double& value, std::string_view what) {
   if (in_->take_number(value)) return true;
   const char* const at = in_->place();
   const std::string_view word = in_->peek();
-  if (word.empty()) return fail(at, fmt::format("the file ends: expected {} of {}", what, statement_));
+  if (word.empty())
+    return fail(at, fmt::format("the file ends: expected {} of {}", what, statement_));
   return fail(at, fmt::format("'{}' is not a finite number: expected {} of {}", shown(word), what,
                               statement_));
 }
@@ -145,7 +145,8 @@ bool TachyonReader::file_name(std::string_view what, std::string& name) {
   const char* const at = in_->place();
   const std::string_view word = in_->take();
   constexpr std::size_t kLongest = 4096;
-  if (word.empty()) return fail(at, fmt::format("the file ends: expected {} of {}", what, statement_));
+  if (word.empty())
+    return fail(at, fmt::format("the file ends: expected {} of {}", what, statement_));
   if (word.size() > kLongest)
     return fail(at, fmt::format("{} of {} has {} characters: expected at most {}", what, statement_,
                                 word.size(), kLongest));
@@ -155,7 +156,8 @@ bool TachyonReader::file_name(std::string_view what, std::string& name) {
 
 std::optional<std::string> TachyonReader::read_named(const char* at, const std::string& name) {
   const auto tell = [&](const Diagnostics& problems) {
-    fail(at, fmt::format("{} cannot be read: {}", shown(name), problems[0].message), problems[0].hint);
+    fail(at, fmt::format("{} cannot be read: {}", shown(name), problems[0].message),
+         problems[0].hint);
   };
   if (!options_.folder) {
     fail(at, fmt::format("{} cannot be read: files beside the scene need a folder", shown(name)));

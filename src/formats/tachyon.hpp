@@ -22,8 +22,8 @@ struct TachyonSettings {
   bool fog_vmd = false;
   std::optional<Highlight> highlight{};
   bool no_highlight = false;
-  double light_scale = 1;             ///< of all lights
-  std::optional<double> skylight{};   ///< ambient occlusion as bright as this
+  double light_scale = 1;            ///< of all lights
+  std::optional<double> skylight{};  ///< ambient occlusion as bright as this
   std::optional<int> skylight_samples{};
 };
 

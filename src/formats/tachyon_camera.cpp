@@ -39,8 +39,8 @@ bool TachyonReader::read_resolution() {
   double width = 0, height = 0;
   if (!number(width, "the width") || !number(height, "the height")) return false;
   if (width < 1 || height < 1 || width != std::floor(width) || height != std::floor(height))
-    return fail(at, fmt::format("RESOLUTION is {} {}: expected whole numbers, 1 or more", width,
-                                height));
+    return fail(
+        at, fmt::format("RESOLUTION is {} {}: expected whole numbers, 1 or more", width, height));
   if (width * height > static_cast<double>(kMaxPixels))
     return fail(at, fmt::format("RESOLUTION is {} {}: expected {} pixels at most", width, height,
                                 kMaxPixels));
@@ -74,6 +74,7 @@ bool TachyonReader::read_camera() {
       if (!number(focal_length_, "FOCALLENGTH") || !number_of("APERTURE", aperture_)) return false;
       if (!(focal_length_ > 0))
         return fail(length, fmt::format("FOCALLENGTH is {}: expected more than 0", focal_length_));
+      aperture_ = std::fabs(aperture_);
     }
   }
   const char* const zoom = in_->place();
@@ -90,9 +91,11 @@ bool TachyonReader::read_camera() {
   }
   if (!expect("END_CAMERA")) return false;
   if (!(zoom_ > 0) || !(aspect_ > 0))
-    return fail(zoom, fmt::format("ZOOM is {} and ASPECTRATIO {}: expected more than 0", zoom_, aspect_));
+    return fail(zoom,
+                fmt::format("ZOOM is {} and ASPECTRATIO {}: expected more than 0", zoom_, aspect_));
   if (is_zero(view_)) return fail(at, "VIEWDIR of CAMERA is 0 0 0");
-  if (is_zero(unit(cross(unit(up_), unit(view_))))) return fail(at, "UPDIR of CAMERA is 0 or along VIEWDIR");
+  if (is_zero(unit(cross(unit(up_), unit(view_)))))
+    return fail(at, "UPDIR of CAMERA is 0 or along VIEWDIR");
   has_camera_ = true;
   return true;
 }
@@ -151,7 +154,8 @@ bool TachyonReader::read_shader_mode() {
   else if (is_keyword(word, "LOWEST"))
     mode_ = TachyonMode::lowest;
   else
-    return fail(at, fmt::format("'{}' is no shader: expected FULL, MEDIUM, LOW or LOWEST", shown(word)));
+    return fail(
+        at, fmt::format("'{}' is no shader: expected FULL, MEDIUM, LOW or LOWEST", shown(word)));
   for (;;) {
     const char* const place = in_->place();
     double ignored = 0;

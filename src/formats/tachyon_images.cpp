@@ -104,14 +104,17 @@ std::shared_ptr<const Image> TachyonReader::image_named(const char* at, const st
     warn(at, fmt::format("there is no IMAGEDEF '{}' before this: white is drawn", shown(name)));
     return nullptr;
   } else if (!options_.folder) {
-    warn(at, fmt::format("{} cannot be read, and white is drawn: files beside the scene need a folder", shown(name)));
+    warn(at,
+         fmt::format("{} cannot be read, and white is drawn: files beside the scene need a folder",
+                     shown(name)));
     return nullptr;
   } else {
     const bool is_targa = name.ends_with(".tga") || name.ends_with(".TGA");
     Result<Image> read = is_targa ? read_targa(name) : read_picture(name);
     if (!read) {
-      warn(at, fmt::format("{} cannot be read, and white is drawn: {}", shown(name),
-                           read.error()[0].message),
+      warn(at,
+           fmt::format("{} cannot be read, and white is drawn: {}", shown(name),
+                       read.error()[0].message),
            read.error()[0].hint);
       return nullptr;
     }
@@ -134,14 +137,15 @@ bool TachyonReader::read_imagedef() {
     side = static_cast<std::uint32_t>(n);
     texels *= n;  // of three numbers of 27 bits
     if (texels == 0 || texels > kMaxPixels)
-      return fail(at, fmt::format("RESOLUTION of IMAGEDEF has {} texels: expected from 1 to {}", texels,
-                                  kMaxPixels));
+      return fail(at, fmt::format("RESOLUTION of IMAGEDEF has {} texels: expected from 1 to {}",
+                                  texels, kMaxPixels));
   }
   if (!expect("ENCODING") || !expect("HEX")) return false;
   if (4 * texels > in_->left() + 1)
-    return fail(at, fmt::format("RESOLUTION of IMAGEDEF has {} texels, more than the rest of the file "
-                                "can hold",
-                                texels));
+    return fail(at,
+                fmt::format("RESOLUTION of IMAGEDEF has {} texels, more than the rest of the file "
+                            "can hold",
+                            texels));
   image.texels.reserve(3 * texels);
   for (std::uint64_t i = 0; i < texels; ++i) {
     const char* const place = in_->place();

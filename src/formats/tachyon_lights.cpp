@@ -26,17 +26,20 @@ bool TachyonReader::read_attenuation(Light& light) {
 void TachyonReader::add_light(const Light& light, double radius) {
   scene_.lights.push_back(light);
   if (!(radius > 0)) return;
-  const std::uint32_t material =
-      material_of({.ambient = 1, .diffuse = 0, .r = light.color.r, .g = light.color.g,
-                   .b = light.color.b, .shines = 1});
+  const std::uint32_t material = material_of({.ambient = 1,
+                                              .diffuse = 0,
+                                              .r = light.color.r,
+                                              .g = light.color.g,
+                                              .b = light.color.b,
+                                              .shines = 1});
   scene_.spheres.push_back({{light.position, radius}, material});
 }
 
 bool TachyonReader::read_light() {
   Light light;
   double radius = 0;
-  if (!vector_of("CENTER", light.position) || !number_of("RAD", radius) || !read_attenuation(light) ||
-      !color_of("COLOR", light.color))
+  if (!vector_of("CENTER", light.position) || !number_of("RAD", radius) ||
+      !read_attenuation(light) || !color_of("COLOR", light.color))
     return false;
   add_light(light, radius);
   return true;
@@ -69,9 +72,10 @@ bool TachyonReader::read_spotlight() {
     return false;
   if (light.inner_deg < 0 || !(light.outer_deg > 0) || light.outer_deg > 180 ||
       light.inner_deg > light.outer_deg)
-    return fail(at, fmt::format("FALLOFF_START and FALLOFF_END of SPOTLIGHT are {} and {}: expected "
-                                "degrees from 0 to 180, the first not more than the second",
-                                light.inner_deg, light.outer_deg));
+    return fail(at,
+                fmt::format("FALLOFF_START and FALLOFF_END of SPOTLIGHT are {} and {}: expected "
+                            "degrees from 0 to 180, the first not more than the second",
+                            light.inner_deg, light.outer_deg));
   add_light(light, radius);
   return true;
 }

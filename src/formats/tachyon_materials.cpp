@@ -135,7 +135,8 @@ void TachyonReader::set_materials() {
   if (scene_.ambient_occlusion.samples == 0) scene_.ambient_occlusion = {};
   paint();
   scene_.materials.reserve(surfaces_.size());
-  for (const TachyonSurface& surface : surfaces_) scene_.materials.push_back(material_from(surface));
+  for (const TachyonSurface& surface : surfaces_)
+    scene_.materials.push_back(material_from(surface));
   for (const auto& [name, surface] : names_) {
     const auto found = materials_.find(surface);
     if (found != materials_.end()) scene_.material_names[found->second] = name;
@@ -152,10 +153,11 @@ void TachyonReader::set_defaults() {
   RenderDefaults& defaults = scene_.defaults;
   defaults.profile = ProfileName::tachyon;
   // A ray of depth 1 has no children.
-  defaults.max_depth = static_cast<int>(std::clamp(depth_ - 1, 0.0, static_cast<double>(kMaxDepth)));
+  defaults.max_depth =
+      static_cast<int>(std::clamp(depth_ - 1, 0.0, static_cast<double>(kMaxDepth)));
   const bool transparent = std::any_of(surfaces_.begin(), surfaces_.end(),
                                        [](const TachyonSurface& s) { return s.opacity < 1; });
-  defaults.shadows = mode_ != TachyonMode::full     ? Shadows::off
+  defaults.shadows = mode_ != TachyonMode::full      ? Shadows::off
                      : transparent && shadow_filter_ ? Shadows::transparent
                                                      : Shadows::opaque;
   defaults.sampling.count =

@@ -120,7 +120,8 @@ bool TachyonReader::read_ring() {
   if (is_zero(disc.normal)) return fail(at, "NORMAL of RING is 0 0 0");
   if (!surface(material)) return false;
   disc.inner_radius = std::fmax(disc.inner_radius, 0.0);
-  if (!(disc.radius > disc.inner_radius)) return warn(at, "a RING without width has nothing to draw"), true;
+  if (!(disc.radius > disc.inner_radius))
+    return warn(at, "a RING without width has nothing to draw"), true;
   scene_.discs.push_back({disc, material});
   return true;
 }
@@ -157,7 +158,8 @@ bool TachyonReader::read_smooth_triangle() {
   std::array<Vec3, 6> c;
   std::uint32_t material = 0;
   if (!vector_of("V0", c[0]) || !vector_of("V1", c[1]) || !vector_of("V2", c[2]) ||
-      !vector_of("N0", c[3]) || !vector_of("N1", c[4]) || !vector_of("N2", c[5]) || !surface(material))
+      !vector_of("N0", c[3]) || !vector_of("N1", c[4]) || !vector_of("N2", c[5]) ||
+      !surface(material))
     return false;
   add_smooth(c, material);
   return true;
@@ -189,7 +191,9 @@ void TachyonReader::add_painted(const std::array<Vec3, 6>& c, const std::array<C
   }
   std::array<Vec3, 6> n = c;
   if (is_zero(c[3]) || is_zero(c[4]) || is_zero(c[5])) {
-    const auto minus = [](const Vec3& a, const Vec3& b) { return Vec3{a.x - b.x, a.y - b.y, a.z - b.z}; };
+    const auto minus = [](const Vec3& a, const Vec3& b) {
+      return Vec3{a.x - b.x, a.y - b.y, a.z - b.z};
+    };
     const Vec3 u = minus(c[1], c[0]), v = minus(c[2], c[0]);
     n[3] = n[4] = n[5] = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
   }
@@ -217,7 +221,8 @@ bool TachyonReader::read_vertex_array() {
   const auto add = [&](const std::array<std::size_t, 3>& i) {
     const std::array<Vec3, 6> corners{points[i[0]],  points[i[1]],  points[i[2]],
                                       normals[i[0]], normals[i[1]], normals[i[2]]};
-    if (!colors.empty()) return add_painted(corners, {colors[i[0]], colors[i[1]], colors[i[2]]}, body);
+    if (!colors.empty())
+      return add_painted(corners, {colors[i[0]], colors[i[1]], colors[i[2]]}, body);
     if (!has_material) material = material_of(body);
     has_material = true;
     add_smooth(corners, material);
@@ -227,9 +232,10 @@ bool TachyonReader::read_vertex_array() {
     double value = 0;
     if (!number(value, "a corner's index")) return false;
     if (value < 0 || value != std::floor(value) || !(value < static_cast<double>(n)))
-      return fail(at, fmt::format("the index {} is none of VERTEXARRAY: expected a whole number, less "
-                                  "than {}",
-                                  value, n));
+      return fail(at,
+                  fmt::format("the index {} is none of VERTEXARRAY: expected a whole number, less "
+                              "than {}",
+                              value, n));
     i = static_cast<std::size_t>(value);
     return true;
   };
@@ -270,9 +276,9 @@ bool TachyonReader::read_scape() {
   Vec3 center;
   double number_read = 0;
   std::uint32_t material = 0;
-  if (!expect("RES") || !number(number_read, "RES") || !number(number_read, "RES") || !expect("SCALE") ||
-      !number(number_read, "SCALE") || !number(number_read, "SCALE") || !vector_of("CENTER", center) ||
-      !surface(material))
+  if (!expect("RES") || !number(number_read, "RES") || !number(number_read, "RES") ||
+      !expect("SCALE") || !number(number_read, "SCALE") || !number(number_read, "SCALE") ||
+      !vector_of("CENTER", center) || !surface(material))
     return false;
   warn(at, "SCAPE is left out: there is no fractal terrain");
   return true;
@@ -316,9 +322,10 @@ bool TachyonReader::read_polygon_file() {
   const double sz = std::sin(turn.z * kDegree), cz = std::cos(turn.z * kDegree);
   const auto moved = [&](Vec3 v) {
     v = {v.x * scale.x, v.y * scale.y, v.z * scale.z};
-    return Vec3{v.x * cy * cz + v.y * (sx * sy * cz - cx * sz) + v.z * (sx * sz + cx * cz * sy) + center.x,
-                v.x * cy * sz + v.y * (cx * cz + sx * sy * sz) + v.z * (cx * sy * sz - sx * cz) + center.y,
-                v.x * sy + v.y * sx * cy + v.z * cx * cy + center.z};
+    return Vec3{
+        v.x * cy * cz + v.y * (sx * sy * cz - cx * sz) + v.z * (sx * sz + cx * cz * sy) + center.x,
+        v.x * cy * sz + v.y * (cx * cz + sx * sy * sz) + v.z * (cx * sy * sz - sx * cz) + center.y,
+        v.x * sy + v.y * sx * cy + v.z * cx * cy + center.z};
   };
   TachyonText polygons(*text, name);
   TachyonText* const outer = in_;

@@ -77,8 +77,13 @@ Diagnostic TachyonText::diagnostic(Severity severity, const char* at, std::strin
                                    std::string hint) {
   const auto position = static_cast<std::size_t>(at - begin_);
   const TextPosition found = places_.at(position);
-  return {severity,           name_,           found.line, found.column, std::move(message),
-          std::move(hint), places_.excerpt(position)};
+  return {severity,
+          name_,
+          found.line,
+          found.column,
+          std::move(message),
+          std::move(hint),
+          places_.excerpt(position)};
 }
 
 }  // namespace zraka

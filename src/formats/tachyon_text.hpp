@@ -17,7 +17,10 @@ bool is_keyword(std::string_view word, std::string_view keyword);
 class TachyonText {
  public:
   TachyonText(std::string_view text, std::string name)
-      : begin_(text.data()), at_(begin_), end_(begin_ + text.size()), name_(std::move(name)),
+      : begin_(text.data()),
+        at_(begin_),
+        end_(begin_ + text.size()),
+        name_(std::move(name)),
         places_(text) {}
 
   const std::string& name() const { return name_; }

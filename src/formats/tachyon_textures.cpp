@@ -41,8 +41,8 @@ std::optional<Transform> plane_map(const Vec3& a, const Vec3& b, const Vec3& cen
 
 std::size_t TachyonReader::SurfaceHash::operator()(const TachyonSurface& s) const {
   std::size_t hash = 0;
-  for (const double v : {s.ambient, s.diffuse, s.mirror, s.opacity, s.highlight, s.shininess, s.metal,
-                         s.r, s.g, s.b, s.pattern, s.shines})
+  for (const double v : {s.ambient, s.diffuse, s.mirror, s.opacity, s.highlight, s.shininess,
+                         s.metal, s.r, s.g, s.b, s.pattern, s.shines})
     hash = hash * 1099511628211u ^ std::hash<double>()(v);
   return hash;
 }
@@ -67,12 +67,14 @@ bool TachyonReader::surface(std::uint32_t& material) {
   }
   const char* const at = in_->place();
   const std::string_view word = in_->peek();
-  if (word.empty()) return fail(at, fmt::format("the file ends: expected TEXTURE of {}", statement_));
+  if (word.empty())
+    return fail(at, fmt::format("the file ends: expected TEXTURE of {}", statement_));
   // A forgotten texture would take the next statement for its name.
   const auto named = names_.find(word);
   if (named == names_.end() && statement_of(word) != nullptr)
-    return fail(at, fmt::format("'{}' does not belong here: expected TEXTURE, or the name of one, of {}",
-                                shown(word), statement_));
+    return fail(
+        at, fmt::format("'{}' does not belong here: expected TEXTURE, or the name of one, of {}",
+                        shown(word), statement_));
   in_->take();
   if (named == names_.end()) {
     warn(at, fmt::format("there is no TEXDEF '{}' before this: white is taken", shown(word)));
@@ -132,10 +134,9 @@ bool TachyonReader::read_pattern(int function, TachyonSurface& s) {
     s.r *= 0.9, s.g *= 0.9, s.b *= 0.9;
     return true;
   }
-  const auto [known, fresh] =
-      pattern_of_.try_emplace({static_cast<double>(function), center.x, center.y, center.z, scale.x,
-                               scale.y, scale.z},
-                              patterns_.size());
+  const auto [known, fresh] = pattern_of_.try_emplace(
+      {static_cast<double>(function), center.x, center.y, center.z, scale.x, scale.y, scale.z},
+      patterns_.size());
   s.pattern = static_cast<double>(known->second + 1);
   s.r = s.g = s.b = 1;  // their colours are their own
   if (!fresh) return true;

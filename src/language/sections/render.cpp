@@ -27,7 +27,7 @@ constexpr Choice kProfiles[] = {
     {"lab", "the course's rules, to the letter"},
     {"physical", "optics' rules"},
     {"spd", "the rules by which the Standard Procedural Databases count rays"},
-    {"tachyon", "the physical profile, with linear values stored as they are"},
+    {"tachyon", "the rules of Tachyon, whose pictures store light as it is"},
 };
 constexpr Choice kShadows[] = {
     {"opaque", "whatever stands between a point and a light puts the point in shadow"},

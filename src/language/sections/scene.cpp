@@ -123,7 +123,7 @@ void read(const toml::Node& node, Input& input) {
     scene.sky = {Sky::Kind::gradient, g->bottom, g->top, g->up};
   if (const Panorama* const p = std::get_if<Panorama>(&entry.background))
     if (const auto texture = texture_of(*p, *node.find("background"), input))
-      scene.sky = {Sky::Kind::image, {}, {}, p->up, *texture};
+      scene.sky = {.kind = Sky::Kind::image, .up = p->up, .texture = *texture};
 }
 
 void write(Output& output) {
