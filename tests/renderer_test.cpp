@@ -67,6 +67,19 @@ TEST(Renderer, HasTheBitsOfRenderFromEverySideAndBuildsOnce) {
   }
 }
 
+TEST(Renderer, LooksIntoFogAlongEachView) {
+  Scene scene = some_spheres();
+  scene.fog = {
+      .kind = Fog::Kind::linear, .start = 2, .end = 6, .color = {0.5, 0.6, 0.7}, .planar = true};
+  const Result<Renderer> renderer = Renderer::create(seen(scene, around(0)));
+  ASSERT_TRUE(renderer);
+  const Result<Rendering> again = renderer->render(around(90));
+  const Result<Rendering> once = render(seen(scene, around(90)));
+  ASSERT_TRUE(again && once);
+  EXPECT_EQ(sha256(again->image), sha256(once->image));
+  EXPECT_EQ(again->stats.build_seconds, 0);
+}
+
 TEST(Renderer, BuildsAnewForViewsThatNeedAnotherFrame) {
   Scene scene = some_spheres();
   scene.triangles.push_back({{{-9, -1.2, -9}, {9, -1.2, -9}, {0, -1.2, 9}}, 0});

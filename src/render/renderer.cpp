@@ -66,7 +66,8 @@ Largest largest_of(const Scene& scene) {
 bool same_profile(const Profile& a, const Profile& b) {
   return a.pixel_centers == b.pixel_centers && a.average_corners == b.average_corners &&
          a.clamp_levels == b.clamp_levels && a.index_is_ratio == b.index_is_ratio &&
-         a.mirror_when_total == b.mirror_when_total;
+         a.mirror_when_total == b.mirror_when_total && a.filter_surfaces == b.filter_surfaces &&
+         a.sky_beyond == b.sky_beyond;
 }
 
 /// Whether what was frozen in one frame is what would be frozen in the other: the same place and
@@ -137,7 +138,8 @@ struct Renderer::Impl {
   struct ForView {
     std::shared_ptr<const Ready> ready;
     FrozenScene<float> frozen;
-    double build_seconds = 0;  ///< 0: nothing was built
+    double build_seconds = 0;                ///< 0: nothing was built
+    std::unique_ptr<FrozenOptics> optics{};  ///< with the view's fog
   };
 
   Result<ForView> prepare_for(const View& view, const RenderOptions& wanted) const {
@@ -162,8 +164,13 @@ struct Renderer::Impl {
       if (same_scene(ready->prepared.frame, frame, largest)) {
         const FrozenCamera<float> camera = freeze_camera<float>(scene, options.profile, frame);
         if (reach_of(camera) <= ready->room) {
-          ForView found{ready, ready->prepared.store->scene, 0};
+          ForView found{ready, ready->prepared.store->scene};
           found.frozen.camera = camera;
+          if (found.frozen.optics != nullptr) {
+            found.optics = std::make_unique<FrozenOptics>(*found.frozen.optics);
+            found.optics->fog = freeze_fog(scene, frame);
+            found.frozen.optics = found.optics.get();
+          }
           return found;
         }
       }
