@@ -13,7 +13,7 @@
 namespace zraka {
 
 /// How a caller's picture lies in memory. Its pixels are written from several threads at once, each
-/// once; bytes between pixels and between rows are left alone.
+/// once; bytes between pixels and between rows are left alone. It has to hold all of the picture.
 struct PixelBuffer {
   enum class Type {
     float32,  ///< linear light
