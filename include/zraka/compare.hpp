@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include <zraka/api.hpp>
 #include <zraka/diagnostic.hpp>
 #include <zraka/image.hpp>
 
@@ -30,16 +31,16 @@ struct Errors {
   std::uint64_t over = 0;    ///< pixels with a channel that differs by more than the threshold
   PixelBox box;              ///< around those; of no meaning where there are none
 
-  double root_mean_square() const;
+  ZRAKA_API double root_mean_square() const;
   /// 10·log10(1/MSE) in dB, for a range of values of 1; infinite where nothing differs.
-  double peak_signal_to_noise() const;
+  ZRAKA_API double peak_signal_to_noise() const;
   /// Share of the pixels that are over the threshold.
-  double share() const;
+  ZRAKA_API double share() const;
 };
 
 /// One pass over both, about a millisecond for 400×400 pixels. The sums do not depend on the
 /// instruction set.
-Errors measure_errors(const Image& a, const Image& b, double threshold = 0);
+ZRAKA_API Errors measure_errors(const Image& a, const Image& b, double threshold = 0);
 
 /// A pixel of which both pictures' values are given; x counts from the left, y from the top, from
 /// 0.
@@ -50,11 +51,11 @@ struct PixelPair {
 };
 
 /// The first pixels over the threshold, row by row from the top; at most `count`.
-std::vector<PixelPair> first_pixels(const Image& a, const Image& b, double threshold,
-                                    std::size_t count);
+ZRAKA_API std::vector<PixelPair> first_pixels(const Image& a, const Image& b, double threshold,
+                                              std::size_t count);
 /// The pixels over the threshold that differ most, those that differ equally row by row.
-std::vector<PixelPair> worst_pixels(const Image& a, const Image& b, double threshold,
-                                    std::size_t count);
+ZRAKA_API std::vector<PixelPair> worst_pixels(const Image& a, const Image& b, double threshold,
+                                              std::size_t count);
 
 /// Structural similarity (Wang, Bovik, Sheikh, Simoncelli, "Image quality assessment: from error
 /// visibility to structural similarity", IEEE Transactions on Image Processing 13(4), 2004): the
@@ -62,7 +63,7 @@ std::vector<PixelPair> worst_pixels(const Image& a, const Image& b, double thres
 /// a standard deviation of 1.5, fits into the picture; K1 = 0.01, K2 = 0.03, a range of 1. It is
 /// computed from 0.299 R + 0.587 G + 0.114 B of values as a screen is given them, as the authors'
 /// program does. 1 where the pictures are equal; none where one side is shorter than 11 pixels.
-std::optional<double> structural_similarity(const Image& a, const Image& b);
+ZRAKA_API std::optional<double> structural_similarity(const Image& a, const Image& b);
 
 /// What flip_error() finds.
 struct FlipErrors {
@@ -78,8 +79,8 @@ inline constexpr double kFlipPixelsPerDegree = 67.0206;
 /// LDR-FLIP (Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild, "FLIP: A Difference
 /// Evaluator for Alternating Images", HPG 2020): what somebody sees who switches between the two
 /// pictures. Values are taken as a screen is given them, 0…1 by the sRGB curve.
-FlipErrors flip_error(const Image& a, const Image& b,
-                      double pixels_per_degree = kFlipPixelsPerDegree);
+ZRAKA_API FlipErrors flip_error(const Image& a, const Image& b,
+                                double pixels_per_degree = kFlipPixelsPerDegree);
 
 // A whole comparison of two pictures that were read.
 
@@ -110,31 +111,31 @@ struct Comparison {
 };
 
 /// Fails where the sizes differ.
-Result<Comparison> compare(ReadImage a, ReadImage b, const CompareOptions& options = {});
+ZRAKA_API Result<Comparison> compare(ReadImage a, ReadImage b, const CompareOptions& options = {});
 
 /// As a screen shows it: linear light through the sRGB curve, stored values as they are; clamped.
-Image as_shown(const Image& image, bool linear_light);
+ZRAKA_API Image as_shown(const Image& image, bool linear_light);
 
 /// The largest difference of each pixel's channels, row by row from the top.
-std::vector<float> difference_map(const Image& a, const Image& b);
+ZRAKA_API std::vector<float> difference_map(const Image& a, const Image& b);
 
 /// What the brightest colour of a picture of differences should stand for: the largest that occurs,
 /// but at least 1/16, so that rounding does not look like a difference.
-double brightest_difference(const std::vector<float>& map);
+ZRAKA_API double brightest_difference(const std::vector<float>& map);
 
 /// A map of width × height values in colours: black for 0, white for `brightest` and more.
 /// To be stored as it is, with Transfer::linear.
-Image heat_picture(const std::vector<float>& map, std::uint32_t width, std::uint32_t height,
-                   double brightest = 1);
+ZRAKA_API Image heat_picture(const std::vector<float>& map, std::uint32_t width,
+                             std::uint32_t height, double brightest = 1);
 
 /// The colours of heat pictures, 0…1 for a screen, from the darkest to the brightest. Their
 /// lightness grows in equal steps from black to white and their hue goes from violet through red to
 /// yellow, in Oklab (Björn Ottosson, "A perceptual color space for image processing", 2020).
-const std::array<std::array<float, 3>, 256>& heat_colors();
+ZRAKA_API const std::array<std::array<float, 3>, 256>& heat_colors();
 
 /// A page that shows both pictures under a slider, beside each other, in turns and as heat maps,
 /// with the numbers and a loupe; all that it needs is in it.
-Result<std::string> comparison_page(const Comparison& comparison, const std::string& a_name,
-                                    const std::string& b_name);
+ZRAKA_API Result<std::string> comparison_page(const Comparison& comparison,
+                                              const std::string& a_name, const std::string& b_name);
 
 }  // namespace zraka

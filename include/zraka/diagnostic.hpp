@@ -6,6 +6,7 @@
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
+#include <zraka/api.hpp>
 
 namespace zraka {
 
@@ -45,9 +46,11 @@ using Result = tl::expected<T, Diagnostics>;
 
 /// `file:line:column: error: message`, the excerpt and the hint on lines of their own. Safe on a
 /// terminal, whatever the file's name and text hold: controls are replaced.
-std::string to_string(const Diagnostic& diagnostic, Language language = Language::english);
+ZRAKA_API std::string to_string(const Diagnostic& diagnostic,
+                                Language language = Language::english);
 
 /// A failed result with one error about a file as a whole (or about none, if `file` is empty).
-tl::unexpected<Diagnostics> failure(std::string file, std::string message, std::string hint = {});
+ZRAKA_API tl::unexpected<Diagnostics> failure(std::string file, std::string message,
+                                              std::string hint = {});
 
 }  // namespace zraka

@@ -241,7 +241,7 @@ struct Neighbourhood {
 struct Variation;
 
 /// Explains pixels of one scene. The scene must outlive it.
-class Explainer {
+class ZRAKA_API Explainer {
  public:
   /// Fails as render() does; and for Isa::oracle, whose numbers are none of a picture's.
   static Result<Explainer> create(const Scene& scene, const RenderOptions& options = {});
@@ -268,7 +268,7 @@ class Explainer {
 };
 
 /// Explains one pixel.
-Result<Explanation> explain(const Scene& scene, const RenderOptions& options, std::uint32_t x,
-                            std::uint32_t y);
+ZRAKA_API Result<Explanation> explain(const Scene& scene, const RenderOptions& options,
+                                      std::uint32_t x, std::uint32_t y);
 
 }  // namespace zraka

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <zraka/api.hpp>
 #include <zraka/diagnostic.hpp>
 #include <zraka/scene.hpp>
 
@@ -25,19 +26,19 @@ struct ReadOptions {
 };
 
 /// Reads a scene file. Fails with all the problems of the file at once.
-Result<ReadScene> read_scene(const std::string& path, const ReadOptions& options = {});
+ZRAKA_API Result<ReadScene> read_scene(const std::string& path, const ReadOptions& options = {});
 
 /// The same from memory; `name` stands for the file in messages.
-Result<ReadScene> parse_scene(std::string_view text, const std::string& name,
-                              const ReadOptions& options = {});
+ZRAKA_API Result<ReadScene> parse_scene(std::string_view text, const std::string& name,
+                                        const ReadOptions& options = {});
 
 /// A scene in the course's input.txt format. Fails if the scene has what that format cannot say.
-Result<std::string> write_lab_input(const Scene& scene);
+ZRAKA_API Result<std::string> write_lab_input(const Scene& scene);
 
 /// A scene in the scene language (docs/scene-language/), in its canonical form: reading it gives an
 /// equal scene, and writing that the same text. Materials without a name get one. Fails if the
 /// scene has what the language cannot say.
-Result<std::string> write_toml(const Scene& scene);
+ZRAKA_API Result<std::string> write_toml(const Scene& scene);
 
 /// A scene as a file, and what it has lost by that: warnings.
 struct WrittenScene {
@@ -47,9 +48,9 @@ struct WrittenScene {
 
 /// A scene in a format: "toml", "nff" or "lab", or a file's name that ends like one of the format.
 /// Fails if the format cannot say where the picture's window is, or has no such shapes or lights.
-Result<WrittenScene> write_scene(const Scene& scene, std::string_view format);
+ZRAKA_API Result<WrittenScene> write_scene(const Scene& scene, std::string_view format);
 
 /// Writes text beside `path` and renames it, so that a failure leaves an old file as it was.
-Result<void> write_text_file(const std::string& path, std::string_view text);
+ZRAKA_API Result<void> write_text_file(const std::string& path, std::string_view text);
 
 }  // namespace zraka

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <vector>
+#include <zraka/api.hpp>
 #include <zraka/diagnostic.hpp>
 #include <zraka/limits.hpp>
 
@@ -36,14 +37,15 @@ struct PngOptions {
 
 /// Clamped to 0…1, by the transfer curve, then int(value·max + 0.5) with max 255 or 65535; NaN is
 /// 0.
-std::uint16_t quantize(float value, Transfer transfer, int bits);
+ZRAKA_API std::uint16_t quantize(float value, Transfer transfer, int bits);
 
 /// Writes a PNG without dates beside `path` and renames it, so that a failure leaves an old file as
 /// it was.
-Result<void> write_png(const Image& image, const std::string& path, const PngOptions& options = {});
+ZRAKA_API Result<void> write_png(const Image& image, const std::string& path,
+                                 const PngOptions& options = {});
 
 /// The bytes that write_png() writes.
-Result<std::string> encode_png(const Image& image, const PngOptions& options = {});
+ZRAKA_API Result<std::string> encode_png(const Image& image, const PngOptions& options = {});
 
 /// A picture from a file. Grey is three equal values; transparent pixels are laid over black, which
 /// OpenEXR's already are (its colours are multiplied by alpha).
@@ -62,14 +64,15 @@ struct ReadImage {
 /// standard input. Fails where the file is cut off, damaged or of another kind, or has more than
 /// `max_pixels` pixels; a file's word about its size is not trusted with memory before it was
 /// checked.
-Result<ReadImage> read_image(const std::string& path, std::uint64_t max_pixels = kMaxPixels);
+ZRAKA_API Result<ReadImage> read_image(const std::string& path,
+                                       std::uint64_t max_pixels = kMaxPixels);
 
 /// The same for a file in memory; `name` is for the messages.
-Result<ReadImage> parse_image(std::string_view bytes, const std::string& name,
-                              std::uint64_t max_pixels = kMaxPixels);
+ZRAKA_API Result<ReadImage> parse_image(std::string_view bytes, const std::string& name,
+                                        std::uint64_t max_pixels = kMaxPixels);
 
 /// SHA-256, in hexadecimal, of width and height (32 bit) and the pixels' float bits, all
 /// little-endian.
-std::string sha256(const Image& image);
+ZRAKA_API std::string sha256(const Image& image);
 
 }  // namespace zraka

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <vector>
+#include <zraka/api.hpp>
 #include <zraka/explain.hpp>
 
 namespace zraka {
@@ -33,7 +34,7 @@ struct Influence {
   std::vector<std::uint8_t> pixels;  ///< bits of each pixel, row by row from the top
   std::vector<InfluenceWay> ways;    ///< the most pixels first
   /// Number of pixels with any of these bits.
-  std::uint64_t count(unsigned bits) const;
+  ZRAKA_API std::uint64_t count(unsigned bits) const;
 };
 
 /// A shape of the scene, or one of a group: then in all its instances.
@@ -48,13 +49,13 @@ struct ShapeInScene {
 };
 
 /// Traces the whole picture. Fails as render() does, and for a shape that the scene does not have.
-Result<Influence> influence(const Scene& scene, const RenderOptions& options,
-                            const ShapeInScene& shape);
+ZRAKA_API Result<Influence> influence(const Scene& scene, const RenderOptions& options,
+                                      const ShapeInScene& shape);
 
 /// The shape that a text names: the name that its file gives it, or "sphere 3" as messages call it
 /// (counted from 1, in any case); "chair/leg" or "chair/box 1" is in the group called chair, whose
 /// name may be left out where no other shape is called leg. The name of a CSG shape's member is the
 /// whole's. Fails with names that it could have been.
-Result<ShapeInScene> find_shape(const Scene& scene, const std::string& name);
+ZRAKA_API Result<ShapeInScene> find_shape(const Scene& scene, const std::string& name);
 
 }  // namespace zraka

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <variant>
 #include <vector>
+#include <zraka/api.hpp>
 
 namespace zraka {
 
@@ -29,7 +30,7 @@ enum class Layer : std::uint8_t {
 inline constexpr std::array<std::string_view, 9> kLayerNames = {
     "depth",       "position", "normal",     "uv",         "object-id",
     "material-id", "rays",     "tree-depth", "cryptomatte"};
-std::optional<Layer> layer_named(std::string_view name);
+ZRAKA_API std::optional<Layer> layer_named(std::string_view name);
 
 /// What Layer::depth has where nothing is hit: Blender's, since infinity breaks its filters.
 inline constexpr float kNoDepth = 1e10f;
@@ -83,9 +84,9 @@ struct Layers {
   /// Strings that belong to channels, for OpenEXR's header: name and value.
   std::vector<std::pair<std::string, std::string>> notes;
 
-  const Channel* find(std::string_view name) const;
+  ZRAKA_API const Channel* find(std::string_view name) const;
   /// Channel A: one value a pixel, 0 transparent to 1 opaque; nullptr: all are opaque.
-  const float* alpha() const;
+  ZRAKA_API const float* alpha() const;
 };
 
 }  // namespace zraka

@@ -2,6 +2,7 @@
 // What is odd about a scene that can be rendered.
 #pragma once
 
+#include <zraka/api.hpp>
 #include <zraka/diagnostic.hpp>
 #include <zraka/scene.hpp>
 
@@ -11,6 +12,6 @@ namespace zraka {
 /// optics change nothing, an eye or a light inside a closed body, spheres and boxes that overlap
 /// where priorities do not say which one counts, soft lights of one sample, shapes too small beside
 /// the scene for floats, no light, nothing in view. Of each kind the first few, then a count.
-Diagnostics lint(const Scene& scene);
+ZRAKA_API Diagnostics lint(const Scene& scene);
 
 }  // namespace zraka

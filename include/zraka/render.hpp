@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <vector>
+#include <zraka/api.hpp>
 #include <zraka/diagnostic.hpp>
 #include <zraka/image.hpp>
 #include <zraka/layers.hpp>
@@ -35,9 +36,9 @@ struct Terms {
   bool refraction = true;
   friend bool operator==(const Terms&, const Terms&) = default;
 };
-Terms terms_of(Stage stage);
+ZRAKA_API Terms terms_of(Stage stage);
 /// The stage that has just these terms.
-std::optional<Stage> stage_of(const Terms& terms);
+ZRAKA_API std::optional<Stage> stage_of(const Terms& terms);
 
 /// What the profiles differ in; profile_of() holds the only table.
 struct Profile {
@@ -53,18 +54,18 @@ struct Profile {
   bool filter_surfaces = false;
   bool sky_beyond = false;  ///< rays too deep to be traced have the sky's colour, not black
 };
-Profile profile_of(ProfileName name);
-std::string_view name_of(ProfileName name);
-std::optional<ProfileName> profile_named(std::string_view name);
+ZRAKA_API Profile profile_of(ProfileName name);
+ZRAKA_API std::string_view name_of(ProfileName name);
+ZRAKA_API std::optional<ProfileName> profile_named(std::string_view name);
 
 /// Ways to compute, all with the same bits; `oracle` computes in double, one ray at a time, for
 /// tests.
 enum class Isa { avx512, avx2, portable, oracle };
-std::string_view name_of(Isa isa);
+ZRAKA_API std::string_view name_of(Isa isa);
 /// By its name in any case, with hyphens or without.
-std::optional<Isa> isa_named(std::string_view name);
+ZRAKA_API std::optional<Isa> isa_named(std::string_view name);
 /// Those that this build and this machine have, the fastest first; never empty, never `oracle`.
-std::vector<Isa> available_isas();
+ZRAKA_API std::vector<Isa> available_isas();
 
 /// Columns [x, x + width), rows [y, y + height).
 struct PixelRect {
@@ -75,7 +76,7 @@ struct PixelRect {
 struct RenderOptions {
   Terms terms{};
   Profile profile = profile_of(ProfileName::physical);
-  int max_depth = 4;  ///< levels of rays after the first: 0…kMaxDepth
+  int max_depth = 4;                  ///< levels of rays after the first: 0…kMaxDepth
   Shadows shadows = Shadows::opaque;  ///< off as without Terms::shadows
   double min_contribution = 0;        ///< RenderDefaults::min_contribution
   int wavelengths = 12;               ///< 1…kMaxWavelengths
@@ -134,13 +135,13 @@ struct Rendering {
 /// sampling, and on nothing else; a crop has those of its part. Fails on options out of range, an
 /// instruction set that is not there, a scene that is inconsistent (see check()), and on
 /// cancellation.
-Result<Rendering> render(const Scene& scene, const RenderOptions& options = {});
+ZRAKA_API Result<Rendering> render(const Scene& scene, const RenderOptions& options = {});
 /// The same for a scene that nobody needs any more: its memory is free before the hierarchy's is
 /// taken.
-Result<Rendering> render(Scene&& scene, const RenderOptions& options = {});
+ZRAKA_API Result<Rendering> render(Scene&& scene, const RenderOptions& options = {});
 
 /// Problems of a scene that a program, not a reader, has put together: unknown materials, radii of
 /// 0 or less, values that are not finite, a picture without pixels. Empty when all is well.
-Diagnostics check(const Scene& scene);
+ZRAKA_API Diagnostics check(const Scene& scene);
 
 }  // namespace zraka

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 #include <vector>
+#include <zraka/api.hpp>
 #include <zraka/cameras.hpp>
 #include <zraka/lights.hpp>
 #include <zraka/limits.hpp>
@@ -101,7 +102,7 @@ struct ShapeLists {
   std::map<ShapeId, std::string> names;  ///< of those shapes that the file gives one, UTF-8
 
   /// Number of shapes of all kinds; an instance is one.
-  std::uint64_t shape_count() const;
+  ZRAKA_API std::uint64_t shape_count() const;
 };
 
 /// Shapes that are drawn where instances of them stand, and nowhere else.
@@ -122,7 +123,7 @@ struct Scene : ShapeLists {
   std::vector<Transform> transforms;  ///< that shapes name
   std::vector<Group> groups;
   std::vector<Texture> textures;
-  std::map<std::uint32_t, std::string> texture_names;  ///< of those textures that have one
+  std::map<std::uint32_t, std::string> texture_names;   ///< of those textures that have one
   std::map<std::uint32_t, std::string> material_names;  ///< of those materials that have one
   RenderDefaults defaults;
   std::string

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <vector>
+#include <zraka/api.hpp>
 #include <zraka/diagnostic.hpp>
 #include <zraka/image.hpp>
 #include <zraka/layers.hpp>
@@ -21,7 +22,7 @@ enum class ToneCurve {
   filmic     ///< Hable, "Filmic Tonemapping Operators", 2010: the curve of Uncharted 2
 };
 inline constexpr std::array<std::string_view, 3> kToneCurveNames = {"clamp", "reinhard", "filmic"};
-std::optional<ToneCurve> tone_curve_named(std::string_view name);
+ZRAKA_API std::optional<ToneCurve> tone_curve_named(std::string_view name);
 
 struct ToneMapping {
   ToneCurve curve = ToneCurve::clamp;
@@ -51,16 +52,16 @@ struct PictureFormat {
   bool layers = false;  ///< all channels of Layers, else at most alpha
 };
 /// In the order of the list of writers.
-std::vector<PictureFormat> picture_formats();
+ZRAKA_API std::vector<PictureFormat> picture_formats();
 /// By the ending of a name, in any case. A name without ending, a device and "-" are a PNG's.
-std::optional<PictureFormat> picture_format_of(const std::string& path);
+ZRAKA_API std::optional<PictureFormat> picture_format_of(const std::string& path);
 
 /// Writes a picture in the format that its name ends with, beside that name, then renamed: a
 /// failure leaves an old file as it was. The same picture gives the same bytes, without dates.
 /// The picture's colours are multiplied by the layers' alpha, if they have any: so OpenEXR stores
 /// them, integers are divided by it. "-" is standard output. Fails where the format cannot hold
 /// what is asked for.
-Result<void> write_image(const Image& image, const Layers& layers, const std::string& path,
-                         const WriteOptions& options = {});
+ZRAKA_API Result<void> write_image(const Image& image, const Layers& layers,
+                                   const std::string& path, const WriteOptions& options = {});
 
 }  // namespace zraka

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <type_traits>
 #include <zraka/render.hpp>
@@ -26,6 +27,9 @@ inline void add(RayCounts& sum, const RayCounts& more) {
   sum.cut += more.cut;
 }
 
+/// Told of parts of an image that are done, from worker threads.
+using TileOfImage = std::function<void(const Image&, const TileRect&)>;
+
 /// A picture, or the part of it that is asked for, of a frozen scene.
 template <class R>
 struct PictureJob {
@@ -36,6 +40,7 @@ struct PictureJob {
   Resolution resolution;  ///< of the whole picture
   TileRect part;          ///< of it
   int tile, threads;
+  const TileOfImage* tile_done = nullptr;  ///< none: nobody wants to know
 
   /// Whether all rays that hit nothing bring the same colour.
   bool sky_is_flat() const {

@@ -168,6 +168,18 @@ PreparedScene<R> prepare(const Scene& scene, const RenderOptions& options) {
 }
 
 template <class R>
+PreparedScene<R> prepare_with_room(const Scene& scene, const RenderOptions& options, R room) {
+  PreparedScene<R> prepared{frame_of(scene), {}, nullptr};
+  prepared.store = freeze<R>(scene, options.profile, prepared.frame, has_optics(options));
+  FrozenCamera<R>& camera = prepared.store->scene.camera;
+  const FrozenCamera<R> own = camera;
+  camera.beyond = std::max(camera.beyond, room);
+  finish(prepared);
+  camera = own;
+  return prepared;
+}
+
+template <class R>
 PreparedScene<R> prepare(Scene&& scene, const RenderOptions& options) {
   PreparedScene<R> prepared{frame_of(scene), {}, nullptr};
   prepared.store = freeze<R>(scene, options.profile, prepared.frame, has_optics(options));
@@ -176,9 +188,10 @@ PreparedScene<R> prepare(Scene&& scene, const RenderOptions& options) {
   return prepared;
 }
 
-#define ZRAKA_FOR(R)                                                                \
-  template PreparedScene<R> prepare<R>(const Scene&, const RenderOptions&);         \
-  template PreparedScene<R> prepare<R>(Scene&&, const RenderOptions&);              \
+#define ZRAKA_FOR(R)                                                                     \
+  template PreparedScene<R> prepare<R>(const Scene&, const RenderOptions&);              \
+  template PreparedScene<R> prepare<R>(Scene&&, const RenderOptions&);                   \
+  template PreparedScene<R> prepare_with_room<R>(const Scene&, const RenderOptions&, R); \
   template TraceSettings settings_of(const RenderOptions&, const PreparedScene<R>&, int);
 ZRAKA_FOR(float)
 ZRAKA_FOR(double)

@@ -29,7 +29,11 @@ struct PreparedScene {
 /// Builds and freezes a scene that check_request() finds nothing wrong with.
 template <class R>
 PreparedScene<R> prepare(const Scene& scene, const RenderOptions& options);
-/// The same; the scene is gone before the hierarchy needs its memory.
+/// The same, with a hierarchy that also serves eyes up to `room` from the frame's centre, in its
+/// unit: how far any coordinate may be.
+template <class R>
+PreparedScene<R> prepare_with_room(const Scene& scene, const RenderOptions& options, R room);
+/// The same as the first; the scene is gone before the hierarchy needs its memory.
 template <class R>
 PreparedScene<R> prepare(Scene&& scene, const RenderOptions& options);
 

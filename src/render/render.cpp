@@ -2,8 +2,6 @@
 // Tiles over threads: oneTBB hands out tiles, each thread has its own memory for the engine.
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <algorithm>
 #include <chrono>
@@ -19,6 +17,7 @@
 #include "render/layers.hpp"
 #include "render/picture_job.hpp"
 #include "render/prepare.hpp"
+#include "render/render_prepared.hpp"
 #include "render/render_samples.hpp"
 #include "render/sample_rays.hpp"
 #include "render/tiles.hpp"
@@ -94,6 +93,7 @@ bool render_tiles(const PictureJob<R>& job, Rendering& rendering) {
       counts.camera += area_of(rect) - area_of(part);  // they have been answered, too
     }
     add(worker.counts, counts);
+    if (job.tile_done != nullptr) (*job.tile_done)(image, tile);
     progress.add(area_of(rect), counts.total());
   };
   const bool complete = each_tile(image.width, image.height, job.tile, job.threads,
@@ -126,26 +126,24 @@ TileRect part_of(const RenderOptions& options, const Resolution& resolution) {
           static_cast<std::int32_t>(part.width), static_cast<std::int32_t>(part.height)};
 }
 
-template <class R, class SceneRef>
-bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOptions& options,
-                       int tile, int threads, int variation, Rendering& rendering) {
-  const auto start = std::chrono::steady_clock::now();
-  const Resolution resolution = scene.resolution;
-  if (options.bind_threads && scene.shape_count() >= kManyShapes) spread_workers(threads);
-  const PreparedScene<R> prepared =
-      need_scene(options.layers) ? prepare<R>(std::as_const(scene), options)
-                                 : prepare<R>(std::forward<SceneRef>(scene), options);
-  rendering.stats.build_seconds = seconds_since(start);
-  rendering.stats.scene_bytes = prepared.store->bytes();
-  rendering.stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node) +
-                                prepared.hierarchy.rank.size() * sizeof(std::int32_t);
+}  // namespace
 
-  const FrozenScene<R>& frozen = prepared.store->scene;
+template <class R>
+bool render_prepared(const Scene* scene, const PreparedScene<R>& prepared,
+                     const FrozenScene<R>& frozen, const Kernel<R>& kernel,
+                     const RenderOptions& options, const Resolution& resolution, int threads,
+                     int variation, const TileOfImage& tile_done, Rendering& rendering) {
   const TraceSettings settings = settings_of(options, prepared, variation);
   const bool plain = is_plain(frozen, options.sampling) && !options.transparent;
   const bool corners = has_corners(frozen, options);
-  PictureJob<R> job{frozen, kernel, settings, options, resolution, part_of(options, resolution),
-                    tile,   threads};
+  const TileRect part = part_of(options, resolution);
+  const int tile = options.tile == 0 ? chosen_tile(static_cast<std::uint32_t>(part.width),
+                                                   static_cast<std::uint32_t>(part.height), threads)
+                                     : options.tile;
+  PictureJob<R> job{frozen, kernel, settings, options, resolution, part, tile, threads};
+  const bool all_at_once = corners || options.transparent ||
+                           (!plain && options.sampling.kind == Sampling::Kind::adaptive);
+  if (tile_done && !all_at_once) job.tile_done = &tile_done;
   if (corners) ++job.part.width, ++job.part.height;
   // Not before: while a scene is frozen, memory is fullest.
   rendering.image = Image(static_cast<std::uint32_t>(job.part.width),
@@ -156,19 +154,49 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
     rendering.image = means_of_corners(std::move(rendering.image));
     average_corners(rendering.layers);
   }
-  complete = complete && make_layers<R>({&scene, prepared, job}, rendering);
+  complete = complete && make_layers<R>({scene, prepared, job}, rendering);
+  if (complete && tile_done && all_at_once)
+    tile_done(rendering.image, {0, 0, static_cast<std::int32_t>(rendering.image.width),
+                                static_cast<std::int32_t>(rendering.image.height)});
   rendering.stats.render_seconds = seconds_since(traced);
   return complete;
 }
 
+#define ZRAKA_FOR(R)                                                                            \
+  template bool render_prepared(const Scene*, const PreparedScene<R>&, const FrozenScene<R>&,   \
+                                const Kernel<R>&, const RenderOptions&, const Resolution&, int, \
+                                int, const TileOfImage&, Rendering&);
+ZRAKA_FOR(float)
+ZRAKA_FOR(double)
+#undef ZRAKA_FOR
+
+namespace {
+
+template <class R, class SceneRef>
+bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOptions& options,
+                       int threads, int variation, const TileOfImage& tile_done,
+                       Rendering& rendering) {
+  const auto start = std::chrono::steady_clock::now();
+  const Resolution resolution = scene.resolution;
+  if (options.bind_threads && scene.shape_count() >= kManyShapes) spread_workers(threads);
+  const PreparedScene<R> prepared = need_scene(options.layers)
+                                        ? prepare<R>(std::as_const(scene), options)
+                                        : prepare<R>(std::forward<SceneRef>(scene), options);
+  rendering.stats.build_seconds = seconds_since(start);
+  rendering.stats.scene_bytes = prepared.store->bytes();
+  rendering.stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node) +
+                                prepared.hierarchy.rank.size() * sizeof(std::int32_t);
+
+  return render_prepared(&scene, prepared, prepared.store->scene, kernel, options, resolution,
+                         threads, variation, tile_done, rendering);
+}
+
 template <class SceneRef>
 Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
-                             const Variation& variation = {}) {
-  const int threads = options.threads == 0 ? tbb::info::default_concurrency()
-                                           : std::clamp(options.threads, 1, kMaxThreads);
-  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                            static_cast<std::size_t>(threads));
-  Diagnostics problems = check_request(scene, options);
+                             const Variation& variation = {}, const TileOfImage& tile_done = {}) {
+  const int threads = threads_for(options.threads);
+  Diagnostics problems;
+  with_threads(options.threads, [&] { problems = check_request(scene, options); });
   if (!problems.empty()) return tl::make_unexpected(std::move(problems));
   const Result<Isa> isa = choose_isa(options.isa);
   if (!isa) return tl::make_unexpected(isa.error());
@@ -177,23 +205,21 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
     return failure("", "the oracle keeps to the rules", "ask for avx512, avx2 or portable");
 
   const Resolution resolution = scene.resolution;
-  const TileRect part = part_of(options, resolution);
-  const int tile = options.tile == 0 ? chosen_tile(static_cast<std::uint32_t>(part.width),
-                                                   static_cast<std::uint32_t>(part.height), threads)
-                                     : options.tile;
   const std::uint64_t shapes = scene.shape_count();
   Rendering rendering;
   try {
     rendering.stats.isa = *isa;
     rendering.stats.threads = threads;
-    const bool complete =
-        *isa == Isa::oracle
-            ? freeze_and_render<double>(std::forward<SceneRef>(scene), isa_oracle::kKernel, options,
-                                        tile, threads, 0, rendering)
-            : freeze_and_render<float>(
-                  std::forward<SceneRef>(scene),
-                  variation.kernel == nullptr ? kernel_of(*isa) : *variation.kernel, options, tile,
-                  threads, variation.number, rendering);
+    bool complete = false;
+    with_threads(options.threads, [&] {
+      complete = *isa == Isa::oracle
+                     ? freeze_and_render<double>(std::forward<SceneRef>(scene), isa_oracle::kKernel,
+                                                 options, threads, 0, tile_done, rendering)
+                     : freeze_and_render<float>(
+                           std::forward<SceneRef>(scene),
+                           variation.kernel == nullptr ? kernel_of(*isa) : *variation.kernel,
+                           options, threads, variation.number, tile_done, rendering);
+    });
     if (!complete) return failure("", "the render was cancelled");
   } catch (const std::bad_alloc&) {
     return failure("", fmt::format("not enough memory for a picture of {}×{} pixels and {} shapes",
@@ -210,6 +236,11 @@ Result<Rendering> render(const Scene& scene, const RenderOptions& options) {
 
 Result<Rendering> render(Scene&& scene, const RenderOptions& options) {
   return render_any(std::move(scene), options);
+}
+
+Result<Rendering> render_with_tiles(const Scene& scene, const RenderOptions& options,
+                                    const TileOfImage& tile_done) {
+  return render_any(scene, options, {}, tile_done);
 }
 
 Result<void> check_lesson(const Scene& scene) {

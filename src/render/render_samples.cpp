@@ -145,9 +145,8 @@ class SampledPicture {
                  job.scene.textures != nullptr, job.scene.optics != nullptr),
         bounds_(job.bounds(samples_.filter().radius())),
         tracers_([this] { return SampleTracer<R>(job_, samples_); }),
-        alpha_(job.options.transparent
-                   ? std::size_t{rendering.image.width} * rendering.image.height
-                   : 0) {}
+        alpha_(job.options.transparent ? std::size_t{rendering.image.width} * rendering.image.height
+                                       : 0) {}
 
   /// As many samples for each pixel: tile by tile, and a tile's film is all that there is at a
   /// time.
@@ -161,7 +160,11 @@ class SampledPicture {
       const Film in_tile{film.data(), tile};
       const std::uint64_t rays =
           trace(tile, in_tile, samples_.count(), [](std::int32_t, std::int32_t) { return true; });
+      if (cancelled()) return;
       develop(tile, in_tile);
+      if (job_.tile_done != nullptr && alpha_.empty())
+        (*job_.tile_done)(rendering_.image,
+                          {tile.x - job_.part.x, tile.y - job_.part.y, tile.width, tile.height});
       progress.add(area_of(tile), rays);
     });
     finish();
@@ -233,6 +236,11 @@ class SampledPicture {
                      });
   }
 
+  /// A tile of many samples takes seconds: its pixels ask, too.
+  bool cancelled() const {
+    return job_.options.cancel != nullptr && job_.options.cancel->load(std::memory_order_relaxed);
+  }
+
   /// Brings those pixels of a tile that want it to `target` samples. Returns the number of rays.
   template <class Wants>
   std::uint64_t trace(const TileRect& tile, const Film& film, std::uint32_t target,
@@ -248,7 +256,7 @@ class SampledPicture {
       empty.color[2] = static_cast<float>(background.z);
     each_pixel(tile, [&](std::int32_t column, std::int32_t row) {
       const std::int32_t x = tile.x + column, y = tile.y + row;
-      if (!wants(x, y)) return;
+      if (!wants(x, y) || cancelled()) return;
       FilmPixel& pixel = film.at(x, y);
       if (x >= seen.x && y >= seen.y && x < seen.x + seen.width && y < seen.y + seen.height) {
         tracer.add(x, y, pixel.count(), target, pixel);

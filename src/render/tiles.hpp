@@ -28,8 +28,8 @@ inline int chosen_tile(std::uint32_t width, std::uint32_t height, int threads) {
   return tiles >= kTilesPerThread * static_cast<std::uint64_t>(threads) ? kLarge : kSmall;
 }
 
-/// Calls work(tile) for each tile of a picture, on so many threads of oneTBB. False if `cancel` was
-/// set on the way.
+/// Calls work(tile) for each tile of a picture, on so many threads of oneTBB: the caller's arena if
+/// it has as many. False if `cancel` was set on the way.
 template <class Work>
 bool each_tile(std::uint32_t picture_width, std::uint32_t picture_height, int tile, int threads,
                bool bind_threads, const std::atomic<bool>* cancel, const Work& work) {
@@ -50,9 +50,7 @@ bool each_tile(std::uint32_t picture_width, std::uint32_t picture_height, int ti
     work(TileRect{x, y, std::min(tile, width - x), std::min(tile, height - y)});
     from_workers.give();
   };
-  tbb::task_arena arena(threads);
-  to_workers.give();
-  arena.execute([&] {
+  const auto work_on_all = [&] {
     if (bind_threads && threads > 1 &&
         static_cast<std::uint64_t>(columns * rows) >=
             kTilesPerThread * static_cast<std::uint64_t>(threads))
@@ -63,9 +61,17 @@ bool each_tile(std::uint32_t picture_width, std::uint32_t picture_height, int ti
           for (std::int32_t i = range.begin(); i < range.end(); ++i) work_on(i);
         },
         tbb::simple_partitioner());
-  });
+  };
+  to_workers.give();
+  // A caller's arena has the threads and processors that it wants; while it waits for tiles, it
+  // takes up no other work there.
+  if (threads == tbb::this_task_arena::max_concurrency())
+    tbb::this_task_arena::isolate(work_on_all);
+  else
+    tbb::task_arena(threads).execute(work_on_all);
   from_workers.take();
-  return !cancelled;
+  // The last tiles may have been left unfinished.
+  return !cancelled && !(cancel != nullptr && cancel->load(std::memory_order_relaxed));
 }
 
 }  // namespace zraka

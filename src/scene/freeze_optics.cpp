@@ -108,6 +108,8 @@ OpticalSky freeze_sky(const Scene& scene) {
   return out;
 }
 
+}  // namespace
+
 OpticalFog freeze_fog(const Scene& scene, const Frame& frame) {
   const Fog& fog = scene.fog;
   OpticalFog out{};
@@ -121,6 +123,8 @@ OpticalFog freeze_fog(const Scene& scene, const Frame& frame) {
                               camera.window_center.z - camera.eye.z});
   return out;
 }
+
+namespace {
 
 double most_of_image(const Texture& texture) {
   double most = 1;

@@ -25,4 +25,7 @@ bool has_optics(const Scene& scene);
 std::unique_ptr<StoredOptics> freeze_optics(const Scene& scene, const Profile& profile,
                                             const Frame& frame);
 
+/// Which depends on the view, if it is planar.
+OpticalFog freeze_fog(const Scene& scene, const Frame& frame);
+
 }  // namespace zraka

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way from a frozen scene to its picture, for scenes that are frozen once and rendered often.
+#pragma once
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <zraka/render.hpp>
+
+#include "render/picture_job.hpp"
+#include "render/prepare.hpp"
+
+namespace zraka {
+
+/// Traces the picture of a frozen scene into `rendering`; `scene` is read only where need_scene()
+/// says so, `frozen` is the prepared one or a copy with another camera. False if it was cancelled.
+template <class R>
+bool render_prepared(const Scene* scene, const PreparedScene<R>& prepared,
+                     const FrozenScene<R>& frozen, const Kernel<R>& kernel,
+                     const RenderOptions& options, const Resolution& resolution, int threads,
+                     int variation, const TileOfImage& tile_done, Rendering& rendering);
+
+/// As render(); tells of parts of the image that are done.
+Result<Rendering> render_with_tiles(const Scene& scene, const RenderOptions& options,
+                                    const TileOfImage& tile_done);
+
+/// So many threads work where options say `wanted`: 0 means those of the caller's arena.
+inline int threads_for(int wanted) {
+  return std::clamp(wanted == 0 ? tbb::this_task_arena::max_concurrency() : wanted, 1, kMaxThreads);
+}
+
+/// Calls work() in the caller's arena, or in one of so many threads if the caller wants another
+/// number: nothing else in the program is held to it.
+template <class Work>
+void with_threads(int wanted, const Work& work) {
+  if (wanted == 0) return work();
+  const int threads = threads_for(wanted);
+  // Only a number that oneTBB has no threads for needs its leave.
+  std::optional<tbb::global_control> limit;
+  if (threads > tbb::info::default_concurrency())
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena(threads).execute(work);
+}
+
+}  // namespace zraka
