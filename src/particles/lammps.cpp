@@ -128,8 +128,12 @@ class LammpsReader {
     Words words(header);
     words.next();
     words.next();
-    for (std::string_view name = words.next(); !name.empty(); name = words.next())
+    constexpr std::size_t kMostColumns = 10000;
+    for (std::string_view name = words.next(); !name.empty(); name = words.next()) {
+      if (names.size() == kMostColumns)
+        return fail(name.data(), fmt::format("there are more than {} columns", kMostColumns));
       names.push_back(name);
+    }
     const auto has = [&](std::string_view name) {
       return std::find(names.begin(), names.end(), name) != names.end();
     };

@@ -46,7 +46,7 @@ constexpr Field kFields[] = {
     field<&ParticlesEntry::look>("look", {.text = "what becomes of them", .choices = kLooks}),
     field<&ParticlesEntry::scale>(
         "scale",
-        {.text = "by which all radii but `radius` are multiplied", .range = greater_than(0)}),
+        {.text = "a factor of all radii that are not said here", .range = greater_than(0)}),
     field<&ParticlesEntry::radius>(
         "radius", {.text = "of points all, of ball_and_stick and sticks the bonds'; where nothing "
                            "is said, half the mean spacing, 0.12 and 0.2",
