@@ -99,6 +99,14 @@ cmp -s "$folder/4.png" "$folder/s.png" || fail "stage 4 is not stage specular"
 cmp -s "$folder/4.png" "$folder/a.png" && fail "stage 4 is the whole picture"
 "$zraka" render - -o "$folder/b.png" <"$scene" || fail "standard input"
 cmp -s "$folder/a.png" "$folder/b.png" || fail "standard input gives another picture"
+
+# Particles, packed or not, from a file or from standard input.
+molecule=docs/examples/caffeine.xyz
+exactly 0 "$molecule: note: 24 particles; light, camera and colours are chosen here
+  a scene with a shape of kind 'particles' chooses otherwise: zraka help particles" \
+  "$zraka" render "$molecule" -o "$folder/molecule.png" --width 64
+gzip -c "$molecule" | "$zraka" render - -o "$folder/unpacked.png" --width 64 -q || fail "gzip on standard input"
+cmp -s "$folder/molecule.png" "$folder/unpacked.png" || fail "gzip gives another picture"
 for isa in $("$zraka" --version | sed -n 's/^this machine has://p'); do
   "$zraka" render "$scene" -o "$folder/b.png" --isa "$isa" --threads 1 --tile 5 || fail "$isa"
   cmp -s "$folder/a.png" "$folder/b.png" || fail "$isa gives other bytes"

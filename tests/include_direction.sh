@@ -12,7 +12,7 @@ complain() {
 rank() {
   case $1 in
     core) echo 1 ;; math) echo 1 ;; image) echo 2 ;; shapes) echo 2 ;; textures) echo 2 ;; materials) echo 2 ;; sampling) echo 2 ;;
-    scene) echo 3 ;; compare) echo 3 ;; mesh) echo 4 ;; language) echo 5 ;; formats) echo 6 ;; accel) echo 4 ;; cameras) echo 4 ;; engine) echo 5 ;; render) echo 6 ;; school) echo 8 ;; *) echo 7 ;;
+    scene) echo 3 ;; compare) echo 3 ;; mesh) echo 4 ;; particles) echo 4 ;; language) echo 5 ;; formats) echo 6 ;; accel) echo 4 ;; cameras) echo 4 ;; engine) echo 5 ;; render) echo 6 ;; school) echo 8 ;; *) echo 7 ;;
   esac
 }
 for file in $(find src -name '*.hpp' -o -name '*.cpp'); do

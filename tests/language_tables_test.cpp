@@ -25,6 +25,7 @@ std::string answer(const std::string& text) {
     const std::string made = testing::TempDir() + "zraka_language_tables" + std::to_string(::getpid());
     std::filesystem::create_directories(made);
     std::ofstream(made + "/a.ppm") << "P3 2 2 255 0 0 0 0 0 0 0 0 0 0 0 0\n";
+    std::ofstream(made + "/a.xyz") << "1\n\nH 0 0 0\n1\n\nH 0 0 1\n";
     std::ofstream(made + "/a.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     return made;
   }();
@@ -71,6 +72,8 @@ std::string good_value(const Field& field, int number) {
       return about.unit == Unit::name_of_material ? "\"default\""
              : about.unit == Unit::picture        ? "\"a.ppm\""
              : about.unit == Unit::mesh           ? "\"a.obj\""
+             : about.unit == Unit::particles      ? "\"a.xyz\""
+             : field.key == "color_by"            ? "\"element\""
              : about.unit == Unit::name_of_glass  ? "\"bk7\""
                                                   : "\"any\"";
     case FieldKind::choice:

@@ -247,12 +247,12 @@ TEST(Nff, IsElseKnownByItsName) {
   EXPECT_EQ(answer("// by a converter\nv\n").find("f.nff:1:1: error: '//' is no word of NFF"), 0u);
   EXPECT_EQ(answer(kByteOrder + kView + kMaterial + "s 0 0 0 1\n"), "");
   const auto answer_of_unknown = [](const std::string& text) {
-    return to_string(parse_scene(text, "a.xyz").error().front());
+    return to_string(parse_scene(text, "a.abc").error().front());
   };
   EXPECT_EQ(answer_of_unknown("// notes\n// of somebody\n"),
-            "a.xyz: error: is of no format that can be read\n"
-            "  scenes are TOML (docs/scene-language/), NFF (docs/nff.md) or the course's input.txt "
-            "(docs/input-txt.md)\n");
+            "a.abc: error: is of no format that can be read\n"
+            "  scenes are TOML (docs/scene-language/), NFF (docs/nff.md), files of particles "
+            "(docs/particles.md) or the course's input.txt (docs/input-txt.md)\n");
   EXPECT_EQ(parse_scene("<oko => 0, 0, 2:", "f.nff").error().front().message.find("NFF"),
             std::string::npos)
       << "what begins with a label is the lab's, whatever its name";

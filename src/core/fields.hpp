@@ -74,7 +74,8 @@ enum class Unit {
   name_of_group,
   name_of_glass,
   picture,
-  mesh
+  mesh,
+  particles
 };
 
 /// The numbers that a field may be, each component of a vector or a colour.

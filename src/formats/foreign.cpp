@@ -45,26 +45,6 @@ std::string_view first_statement(std::string_view text, std::string_view comment
   return {};
 }
 
-bool is_lammps(std::string_view text) {
-  return text.starts_with("ITEM: TIMESTEP") || text.starts_with("ITEM: UNITS");
-}
-
-bool is_pdb(std::string_view text) {
-  constexpr std::string_view kRecords[] = {"HEADER    ", "TITLE     ", "COMPND    ", "REMARK ",
-                                           "CRYST1",     "ATOM  ",     "HETATM",     "MODEL     "};
-  return std::any_of(std::begin(kRecords), std::end(kRecords),
-                     [&](std::string_view record) { return text.starts_with(record); });
-}
-
-/// A count, a line for people, then an element and a position.
-bool is_xyz(std::string_view text) {
-  std::string_view count = line_of(text, 0), atom = line_of(text, 2);
-  if (count.empty() || count.find_first_not_of("0123456789") != std::string_view::npos)
-    return false;
-  const std::string_view element = take_word(atom);
-  return !element.empty() && element.size() <= 3 && !parse_number(element) && has_numbers(atom, 3);
-}
-
 bool is_obj(std::string_view text) {
   std::string_view line = first_statement(text, "#");
   const std::string_view word = take_word(line);
@@ -86,12 +66,6 @@ struct Known {
 };
 
 constexpr Known kKnown[] = {
-    {is_lammps, {"a LAMMPS dump", "LAMMPS-ov dump"}},
-    {is_pdb, {"a PDB file", "datoteka PDB"}},
-    {[](std::string_view t) { return t.starts_with("data_"); }, {"a CIF file", "datoteka CIF"}},
-    {is_xyz, {"an XYZ file", "datoteka XYZ"}},
-    {[](std::string_view t) { return t.starts_with("\x93NUMPY"); },
-     {"a NumPy array (.npy)", "NumPyjevo polje (.npy)"}},
     {is_povray, {"a POV-Ray scene", "POV-Rayeva scena"}},
     {[](std::string_view t) { return t.starts_with("ply\n") || t.starts_with("ply\r"); },
      {"a PLY mesh", "mreža PLY"}},

@@ -11,7 +11,9 @@
 
 #include "core/file.hpp"
 #include "core/phrase.hpp"
+#include "core/unpack.hpp"
 #include "formats/foreign.hpp"
+#include "particles/particles.hpp"
 
 namespace zraka {
 namespace {
@@ -23,9 +25,14 @@ constexpr std::array kFormats = {
            write_toml_scene},
     Format{"Tachyon", "tachyon", ".dat", std::uint64_t{1} << 36, likeness_to_tachyon,
            parse_tachyon_scene, nullptr},
+    Format{"particles", "particles", "", kLargestParticleFile, likeness_to_particles,
+           parse_particle_scene, nullptr},
     Format{"lab input.txt", "lab", "", std::uint64_t{1} << 30, likeness_to_lab_input,
            parse_lab_input, write_lab_scene},
 };
+
+constexpr const Format& kParticles = kFormats[3];
+static_assert(kParticles.parse == parse_particle_scene);
 
 bool ends_with(std::string_view name, std::string_view ending) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
@@ -40,6 +47,7 @@ const Format* format_of(std::string_view text, std::string_view name) {
     if (format.likeness(text) == Likeness::sure) return &format;
   for (const Format& format : kFormats)
     if (ends_with(name, format.ending)) return &format;
+  if (particle_format_of(text, name) != nullptr) return &kParticles;
   for (const Format& format : kFormats)
     if (format.likeness(text) == Likeness::possible) return &format;
   return nullptr;
@@ -49,11 +57,12 @@ Result<ReadScene> parse_text(std::string_view text, const std::string& name,
                              const ReadOptions& options) {
   const Format* const format = format_of(text, name);
   // The lab's reader takes whatever begins with a number, and OBJ has a v as NFF does.
-  const bool is_toml = format != nullptr && format->parse == parse_toml;
+  const bool is_own =
+      format != nullptr && (format->parse == parse_toml || format == &kParticles);
   std::string_view beginning = text;
   if (beginning.starts_with(kByteOrderMark)) beginning.remove_prefix(kByteOrderMark.size());
   if (const ForeignFormat foreign = foreign_format_of(beginning);
-      !is_toml && !foreign.english.empty())
+      !is_own && !foreign.english.empty())
     return failure(name,
                    phrase(Word::path_foreign,
                           Phrase{std::string(foreign.english), std::string(foreign.croatian)}),
@@ -102,10 +111,12 @@ Result<ReadScene> read_scene(const std::string& path, const ReadOptions& given) 
   }
   // What comes without end is not waited for where its beginning is no scene's.
   const auto goes_on = [&](std::string_view beginning) {
+    if (is_packed(beginning)) return true;
     const Format* const format = format_of(beginning, path);
     return format != nullptr && format->likeness(beginning) == Likeness::sure;
   };
-  const Result<std::string> text = read_file(path, nff.largest, goes_on);
+  Result<std::string> text = read_file(path, nff.largest, goes_on);
+  if (text && is_packed(*text)) text = unpacked(*text, path);
   if (!text) return tl::make_unexpected(text.error());
   ReadOptions options = given;
   if (!options.folder) options.folder = std::filesystem::path(path).parent_path().string();

@@ -55,6 +55,12 @@ Likeness likeness_to_toml(std::string_view text);
 Result<ReadScene> parse_toml(std::string_view text, const std::string& name,
                     const ReadOptions& options = {});
 
+/// Sure where the content is one of the formats of particles (particles/read_particles.cpp).
+Likeness likeness_to_particles(std::string_view text);
+/// With a look, a camera and lights that show all of it.
+Result<ReadScene> parse_particle_scene(std::string_view bytes, const std::string& name,
+                                       const ReadOptions& options = {});
+
 /// Writers of the same formats.
 Result<WrittenScene> write_nff(const Scene& scene);
 Result<WrittenScene> write_toml_scene(const Scene& scene);

@@ -29,6 +29,7 @@
   X(polygon)                 \
   X(height_field)            \
   X(mesh)                    \
+  X(particles)               \
   X(union_)                  \
   X(intersection)            \
   X(difference)              \

@@ -224,6 +224,8 @@ std::string expected_value_of(const Field& field) {
           return "the name of a picture's file, in quotes";
         case Unit::mesh:
           return "the name of an .obj, .ply or .stl file, in quotes";
+        case Unit::particles:
+          return "the name of a file of particles, in quotes";
         default:
           return "a text in quotes";
       }
