@@ -140,9 +140,6 @@ Result<Explainer> varied_explainer(const Scene& scene, const RenderOptions& opti
                                    const Variation& variation) {
   const Result<Isa> isa = isa_to_listen_to(scene, options);
   if (!isa) return tl::make_unexpected(isa.error());
-  if (scene.fog.kind != Fog::Kind::none)
-    return failure("", "a scene with fog cannot be explained yet",
-                   "without its FOG it can");
   if (variation.kernel != nullptr && needs_general_engine(scene, options)) return beyond_the_lab();
   RenderOptions asked = options;
   if (variation.kernel != nullptr) {
