@@ -41,9 +41,9 @@ long long whole_of(const py::object& given, std::string_view name, long long lea
 
 /// Items of an array of two dimensions, or of one for N = 1; the array has to outlive them.
 template <int N>
-Numbers<N> items_of(const py::array& array, py::ssize_t offset = 0) {
+NumberArray<N> items_of(const py::array& array, py::ssize_t offset = 0) {
   const auto* data = static_cast<const char*>(array.data()) + offset;
-  Numbers<N> numbers;
+  NumberArray<N> numbers;
   numbers.data = data;
   numbers.count = static_cast<std::size_t>(array.shape(0));
   numbers.is_double = array.itemsize() == 8;

@@ -53,7 +53,7 @@ void need_material(PyScene& self) {
 }
 
 /// One for each shape.
-Numbers<3> colors_of(const py::object& given, py::ssize_t count, py::array& kept) {
+NumberArray<3> colors_of(const py::object& given, py::ssize_t count, py::array& kept) {
   if (given.is_none()) return {};
   kept = numbers_of(given, "colors", {count, 3});
   return items_of<3>(kept);
@@ -109,7 +109,7 @@ void add_triangles_of(PyScene& self, const py::object& corners, const py::object
   const py::array points = numbers_of(corners, "corners", {-1, 3, 3});
   py::array kept_colors;
   TriangleArrays arrays;
-  Numbers<3>* const places[] = {&arrays.a, &arrays.b, &arrays.c};
+  NumberArray<3>* const places[] = {&arrays.a, &arrays.b, &arrays.c};
   for (int i = 0; i < 3; ++i) *places[i] = items_of<3>(points, i * points.strides(1));
   arrays.material = material_of(self, material);
   arrays.colors = colors_of(colors, points.shape(0), kept_colors);

@@ -13,18 +13,18 @@ namespace zraka {
 /// `count` items of N numbers each in a caller's memory. All functions here copy what they read:
 /// the memory is free when they return.
 template <int N>
-struct Numbers {
+struct NumberArray {
   const void* data = nullptr;
   std::size_t count = 0;
   bool is_double = false;
   std::ptrdiff_t stride = 0;  ///< bytes from an item to the next
   std::ptrdiff_t step = 0;    ///< bytes from a number to the next of its item
 
-  Numbers() = default;
-  Numbers(const float* first, std::size_t items, std::ptrdiff_t from_item_to_item = N * 4,
+  NumberArray() = default;
+  NumberArray(const float* first, std::size_t items, std::ptrdiff_t from_item_to_item = N * 4,
           std::ptrdiff_t from_number_to_number = 4)
       : data(first), count(items), stride(from_item_to_item), step(from_number_to_number) {}
-  Numbers(const double* first, std::size_t items, std::ptrdiff_t from_item_to_item = N * 8,
+  NumberArray(const double* first, std::size_t items, std::ptrdiff_t from_item_to_item = N * 8,
           std::ptrdiff_t from_number_to_number = 8)
       : data(first),
         count(items),
@@ -39,24 +39,24 @@ struct BulkMaterial {
   /// As many as shapes, linear red, green and blue, each 0 or more: the material's ambient and
   /// diffuse colours are multiplied by them. None: the material as it is. Each colour that differs
   /// becomes a material of its own in the scene.
-  Numbers<3> colors{};
+  NumberArray<3> colors{};
 };
 
 struct SphereArrays : BulkMaterial {
-  Numbers<3> centers;
-  Numbers<1> radii{};  ///< as many; none: all have `radius`
+  NumberArray<3> centers;
+  NumberArray<1> radii{};  ///< as many; none: all have `radius`
   double radius = 1;
 };
 
 /// Without caps.
 struct CylinderArrays : BulkMaterial {
-  Numbers<3> starts, ends;
-  Numbers<1> radii{};  ///< as many; none: all have `radius`
+  NumberArray<3> starts, ends;
+  NumberArray<1> radii{};  ///< as many; none: all have `radius`
   double radius = 1;
 };
 
 struct TriangleArrays : BulkMaterial {
-  Numbers<3> a, b, c;  ///< corners
+  NumberArray<3> a, b, c;  ///< corners
 };
 
 /// Adds shapes to the scene's, in the arrays' order. Fails, and adds nothing, on arrays of

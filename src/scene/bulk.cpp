@@ -16,7 +16,7 @@ namespace zraka {
 namespace {
 
 template <int N>
-std::array<double, N> item_of(const Numbers<N>& numbers, std::size_t index) {
+std::array<double, N> item_of(const NumberArray<N>& numbers, std::size_t index) {
   const auto* at =
       static_cast<const char*>(numbers.data) + static_cast<std::ptrdiff_t>(index) * numbers.stride;
   std::array<double, N> item;
@@ -34,7 +34,7 @@ std::array<double, N> item_of(const Numbers<N>& numbers, std::size_t index) {
   return item;
 }
 
-Vec3 point_of(const Numbers<3>& numbers, std::size_t index) {
+Vec3 point_of(const NumberArray<3>& numbers, std::size_t index) {
   const std::array<double, 3> p = item_of(numbers, index);
   return {p[0], p[1], p[2]};
 }
@@ -46,7 +46,7 @@ class Checker {
 
   /// All numbers of an array have to be at least, or more than, `least`.
   template <int N>
-  void check(std::string_view name, const Numbers<N>& numbers, double least, bool more,
+  void check(std::string_view name, const NumberArray<N>& numbers, double least, bool more,
              std::string_view expected) {
     if (numbers.count != count_)
       return complain(fmt::format("{} has {} items: expected {}, one for each shape", name,
@@ -63,10 +63,10 @@ class Checker {
       }
     }
   }
-  void points(std::string_view name, const Numbers<3>& numbers) {
+  void points(std::string_view name, const NumberArray<3>& numbers) {
     check(name, numbers, -std::numeric_limits<double>::infinity(), true, "a finite number");
   }
-  void radii(const Numbers<1>& numbers, double radius) {
+  void radii(const NumberArray<1>& numbers, double radius) {
     if (numbers.data != nullptr || numbers.count > 0)
       check("radii", numbers, 0, true, "a finite number greater than 0");
     else if (!(radius > 0 && std::isfinite(radius)))
