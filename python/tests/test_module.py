@@ -75,7 +75,7 @@ class Pictures(unittest.TestCase):
                 self.skipTest("the program is not built")
             picture = os.path.join(folder, "picture.png")
             said = subprocess.run(
-                [sys.executable, "-m", "zraka", "render", path, "-o", picture],
+                [sys.executable, "-m", "zraka", "render", path, "-o", picture, "--stats"],
                 capture_output=True, text=True, check=True,
             )
             self.assertIn(expected, said.stdout)
