@@ -463,7 +463,12 @@ TEST(Dispersion, LeavesWhiteWhite) {
 
 /// Everything at once: the same bits from any number of threads, tile and instruction set.
 TEST(GeneralEngine, HasTheSameBitsEverywhere) {
-  Scene scene = mixed_scene(20);
+#if defined(ZRAKA_SANITIZED)
+  constexpr std::uint32_t kSide = 10;
+#else
+  constexpr std::uint32_t kSide = 20;
+#endif
+  Scene scene = mixed_scene(kSide);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     Material& m = scene.materials[i];
     m.fresnel = static_cast<Fresnel>(i % 3);
