@@ -6,6 +6,7 @@ zraka=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cp -r scenes "$folder/"
+mkdir "$folder/docs" && cp -r docs/examples "$folder/docs/"
 cp scenes/lab/input.txt "$folder/input.txt"
 lines=$(sed -n 's/^    \.\/run \([a-z][^#]*\).*/\1/p' README.md)
 [ "$(echo "$lines" | wc -l)" -ge 6 ] || { echo "README.md shows too few commands"; exit 1; }
