@@ -17,6 +17,15 @@ End_Scene
 EOF
 sed 's/Rad 9/Rad 0.1/' "$folder/one.dat" >"$folder/two.dat"
 
+# Every command knows the profile that such a scene brings along.
+for language in en hr; do
+  "$zraka" explain "$folder/two.dat" 4 3 --lang $language >"$folder/text" || fail "explain in $language"
+done
+grep -q "profil programa Tachyon" "$folder/text" || fail "the profile in Croatian: $(head -n 2 "$folder/text")"
+"$zraka" explain "$folder/two.dat" 4 3 -o "$folder/pixel.html" || fail "the page of explain"
+grep -q "Tachyon's profile\|Tachyon&#39;s profile" "$folder/pixel.html" || fail "the profile in the page"
+"$zraka" explain "$folder/two.dat" 4 3 --format json | grep -q '"tachyon"' || fail "the profile in JSON"
+
 # VMD's own lines.
 "$tachyon" -aasamples 4 -trans_vmd -mediumshade "$folder/one.dat" -format TARGA -o "$folder/a.tga" || fail "VMD's command"
 [ "$(stat -c %s "$folder/a.tga")" = $((18 + 3 * 8 * 6)) ] || fail "the Targa's size"

@@ -69,6 +69,20 @@ std::string_view noun_of(Language language, TextureKind kind) {
   return kTextures[static_cast<int>(kind)]->nouns[static_cast<int>(language)];
 }
 
+Word word_of(ProfileName profile) {
+  switch (profile) {
+    case ProfileName::lab:
+      return Word::profile_lab;
+    case ProfileName::physical:
+      return Word::profile_physical;
+    case ProfileName::spd:
+      return Word::profile_spd;
+    case ProfileName::tachyon:
+      return Word::profile_tachyon;
+  }
+  return Word::profile_physical;
+}
+
 std::string_view text_of(Language language, Stage stage) {
   return text_of(language, static_cast<Word>(static_cast<int>(Word::stage_silhouette) +
                                              static_cast<int>(stage) - 1));

@@ -33,6 +33,9 @@ std::string_view noun_of(Language language, TextureKind kind);
 /// "stage 5: shadows".
 std::string_view text_of(Language language, Stage stage);
 
+/// "profile of the lab".
+Word word_of(ProfileName profile);
+
 /// What a varied rule does, as a sentence without a full stop.
 std::string_view text_of(Language language, const VariedRules& rules);
 

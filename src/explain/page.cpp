@@ -3,6 +3,7 @@
 
 #include "core/base64.hpp"
 #include "core/page_css.hpp"
+#include "explain/names.hpp"
 #include "explain/page_writer.hpp"
 #include "explain/sentence.hpp"
 #include "explain/space.hpp"
@@ -20,7 +21,6 @@ constexpr std::string_view kPageJs =
 }  // namespace
 
 void Page::head() {
-  constexpr Word kProfiles[] = {Word::profile_lab, Word::profile_physical, Word::profile_spd};
   const std::string title = say(Word::page_title, e_.x, e_.y);
   put("<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -28,7 +28,7 @@ void Page::head() {
       code_of(options_.language), title, kSharedCss, kPageCss);
   std::string facts = say(Word::pixel_of, e_.x, e_.y, e_.resolution.width, e_.resolution.height);
   if (options_.profile)
-    facts += fmt::format(" · {}", say(kProfiles[static_cast<int>(*options_.profile)]));
+    facts += fmt::format(" · {}", say(word_of(*options_.profile)));
   if (const std::optional<Stage> stage = stage_of(e_.terms))
     facts += fmt::format(" · {}", html_text(text_of(options_.language, *stage)));
   if (e_.samples > 1)

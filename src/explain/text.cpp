@@ -286,11 +286,10 @@ void Writer::ray(const RayTree& tree, std::size_t r, const std::string& lead) {
 }
 
 std::string Writer::header() const {
-  constexpr Word kProfiles[] = {Word::profile_lab, Word::profile_physical, Word::profile_spd};
   std::string text = say(Word::pixel_of, e_.x, e_.y, e_.resolution.width, e_.resolution.height);
   if (!options_.scene.empty()) text = fmt::format("{}, {}", shown_line(options_.scene), text);
   if (options_.profile)
-    text += fmt::format(", {}", say(kProfiles[static_cast<int>(*options_.profile)]));
+    text += fmt::format(", {}", say(word_of(*options_.profile)));
   if (const std::optional<Stage> stage = stage_of(e_.terms))
     text += fmt::format(", {}", text_of(options_.language, *stage));
   text += fmt::format(", {}", say(Word::depth_is, e_.max_depth));

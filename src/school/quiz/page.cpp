@@ -3,6 +3,7 @@
 #include "core/base64.hpp"
 #include "core/page_css.hpp"
 #include "core/text.hpp"
+#include "explain/names.hpp"
 #include "school/quiz/view.hpp"
 
 namespace zraka {
@@ -45,7 +46,6 @@ class Page {
 };
 
 void Page::head(Word title, bool with_seed) {
-  constexpr Word kProfiles[] = {Word::profile_lab, Word::profile_physical, Word::profile_spd};
   put("<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<header>\n<h1>{}</h1>\n",
@@ -53,7 +53,7 @@ void Page::head(Word title, bool with_seed) {
   put("<p class=\"scene\">{}{}</p>\n",
       say(Word::report_scene, view_.scene,
           fmt::format("{}×{}", view_.resolution.width, view_.resolution.height),
-          zraka::say(view_.language, kProfiles[static_cast<int>(view_.profile)]), view_.max_depth),
+          zraka::say(view_.language, word_of(view_.profile)), view_.max_depth),
       with_seed ? fmt::format(". {}", say(Word::quiz_seed, view_.seed)) : "");
 }
 

@@ -6,6 +6,7 @@
 #include "core/base64.hpp"
 #include "core/counted.hpp"
 #include "core/text.hpp"
+#include "explain/names.hpp"
 #include "school/report/comments.hpp"
 
 namespace zraka {
@@ -98,7 +99,6 @@ Word title_of(std::size_t i) {
 }
 
 void Page::head() {
-  constexpr Word kProfiles[] = {Word::profile_lab, Word::profile_physical, Word::profile_spd};
   put("<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<header>\n",
@@ -109,7 +109,7 @@ void Page::head() {
   put("<p class=\"facts\">{}</p>\n</header>\n",
       say(Word::report_scene, options_.scene,
           fmt::format("{}×{}", facts_.resolution.width, facts_.resolution.height),
-          zraka::say(options_.language, kProfiles[static_cast<int>(options_.profile)]),
+          zraka::say(options_.language, word_of(options_.profile)),
           facts_.max_depth));
 }
 
