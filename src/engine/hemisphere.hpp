@@ -9,18 +9,9 @@
 #include <cstdint>
 
 #include "engine/engine.hpp"
+#include "sampling/warp.hpp"
 
 namespace zraka::ZRAKA_ISA {
-
-/// Two directions at right angles to a unit vector and to each other (Duff et al. 2017, "Building
-/// an Orthonormal Basis, Revisited").
-template <class R>
-ZRAKA_INLINE void basis_of(const V3<R>& n, V3<R>& a, V3<R>& b) {
-  const R sign = n.z < 0 ? R(-1) : R(1);
-  const R p = R(-1) / (sign + n.z), q = n.x * n.y * p;
-  a = {1 + sign * n.x * n.x * p, sign * q, -sign * n.x};
-  b = {q, sign + n.y * n.y * p, -n.y};
-}
 
 /// As Services::make_hemisphere(): Malley's method, points of the square to the disc (Shirley and
 /// Chiu, "A low distortion map between disk and square", 1997) and up to the hemisphere. Sine and

@@ -5,10 +5,9 @@
 #include <limits>
 
 #include "engine/coefficients.hpp"
-#include "engine/general/steps.hpp"
+#include "engine/general/sky.hpp"
 #include "math/elementary.hpp"
 #include "sampling/hash.hpp"
-#include "textures/texture_set.hpp"
 
 namespace zraka::general {
 namespace {
@@ -76,59 +75,12 @@ std::int32_t medium_of(const Inside& inside, const OpticalMaterial* materials) {
   return best;
 }
 
-double clear_share(const OpticalFog& fog, double length) {
-  const double behind = length - fog.start, thick = fog.density * behind;
-  double left = 1;
-  if (fog.kind == Fog::Kind::linear)
-    left = fog.end > fog.start ? (fog.end - length) / (fog.end - fog.start) : (behind < 0 ? 1 : 0);
-  if (fog.kind == Fog::Kind::exponential) left = thick > 0 ? elementary::exp(-thick) : 1;
-  if (fog.kind == Fog::Kind::squared) left = thick > 0 ? elementary::exp(-thick * thick) : 1;
-  return std::fmin(std::fmax(left, 0.0), 1.0);
-}
-
 V3<double> transmittance_of(const V3<double>& absorption, double distance) {
   const auto left = [&](double a) { return a > 0 ? elementary::exp(-a * distance) : 1.0; };
   return {left(absorption.x), left(absorption.y), left(absorption.z)};
 }
 
 namespace {
-
-/// What a ray brings that hits nothing.
-template <class R>
-V3<R> sky_color(const FrozenScene<R>& scene, const V3<double>& direction) {
-  const OpticalSky& sky = scene.optics->sky;
-  if (sky.kind == Sky::Kind::gradient) {
-    const double span = sky.high - sky.low, above = dot(direction, sky.up) - sky.low;
-    const double height = span != 0 ? std::fmin(std::fmax(above / span, 0.0), 1.0) : 0.5;
-    return narrowed<R>(sky.bottom * (1 - height) + sky.top * height);
-  }
-  if (sky.kind == Sky::Kind::image) {
-    constexpr double kPi = 3.14159265358979323846;
-    TexturePoint at;
-    at.u = 0.5 + elementary::atan2(dot(direction, sky.right), dot(direction, sky.middle)) / (2 * kPi);
-    at.v = 0.5 +
-           elementary::asin(std::fmin(std::fmax(dot(direction, sky.up), -1.0), 1.0)) / kPi;
-    at.v_ends = true;
-    return narrowed<R>(scene.textures->set->value(sky.texture, at));
-  }
-  return scene.background;
-}
-
-/// What fog leaves of the colour of a ray that is so long; infinite: it hits nothing.
-template <class R>
-R clear_share_of(const Batch<R>& batch, std::size_t ray, double length) {
-  const OpticalFog& fog = batch.optics().fog;
-  if (fog.kind == Fog::Kind::none) return R(1);
-  if (fog.planar && !(length < std::numeric_limits<double>::infinity())) return R(1);
-  if (fog.planar && batch.rays[ray].kind == RayKind::camera)
-    length *= dot(three(batch.level.rays.dx, batch.level.rays.dy, batch.level.rays.dz, ray), fog.ahead);
-  return static_cast<R>(clear_share(fog, length));
-}
-
-template <class R>
-V3<R> through_fog(const OpticalFog& fog, R clear, const V3<R>& color) {
-  return clear == R(1) ? color : color * clear + narrowed<R>(fog.color) * (R(1) - clear);
-}
 
 /// Copies hit `from` of one scratch to hit `to` of another.
 template <class R>
@@ -297,23 +249,6 @@ void fold(const Batch<R>& batch, const Level<R>* next, const RayState<R>* next_r
   level.done += level.in_batch;
   if (batch.general.listener != nullptr) batch.general.listener->at_fold(level, batch.general);
   level.in_batch = 0;
-}
-
-/// What rays bring that are too deep to be traced: the sky's colour.
-template <class R>
-void find_sky_beyond(const Batch<R>& batch) {
-  const Terms& terms = batch.settings.terms;
-  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
-    const OpticalMaterial& material = batch.material(h);
-    const V3<double> normal = batch.normal(h), view = batch.view(h);
-    HitState<R>& hit = batch.hits[h];
-    if (terms.reflection)
-      hit.beyond_reflected = reflection_of(material, batch.row(h)) *
-                             sky_color(batch.scene, normal * (2 * dot(view, normal)) - view);
-    if (terms.refraction)
-      hit.beyond_refracted =
-          refraction_of(material, batch.row(h)) * sky_color(batch.scene, -view);
-  }
 }
 
 template <class R>

@@ -11,15 +11,6 @@
 namespace zraka::general {
 namespace {
 
-/// Two directions at right angles to a unit vector and to each other (Duff et al. 2017, "Building
-/// an Orthonormal Basis, Revisited").
-void basis_of(const V3<double>& n, V3<double>& a, V3<double>& b) {
-  const double sign = std::copysign(1.0, n.z);
-  const double p = -1 / (sign + n.z), q = n.x * n.y * p;
-  a = {1 + sign * n.x * n.x * p, sign * q, -sign * n.x};
-  b = {q, sign + n.y * n.y * p, -n.y};
-}
-
 /// What a light sends to a point, from one of its samples.
 struct Arriving {
   V3<double> to_light;  ///< unit length
