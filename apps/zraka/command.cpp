@@ -84,6 +84,19 @@ std::string unexpected(const CLI::App& app) {
                      shown(app.remaining().front()));
 }
 
+OptionInfo info_of(const CLI::Option& option) {
+  OptionInfo info;
+  for (const std::string& name : option.get_snames()) info.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) info.names.push_back("--" + name);
+  info.positional = info.names.empty();
+  if (info.positional) info.names.push_back(option.get_name());
+  info.help = option.get_description();
+  info.required = option.get_required();
+  info.repeated = option.get_items_expected_max() > 1;
+  if (option.get_items_expected_min() > 0 || info.positional) info.value = option.get_type_name();
+  return info;
+}
+
 /// Standard output was written; the exit code.
 int flushed() {
   std::cout.flush();
@@ -104,6 +117,7 @@ int wrong_usage(const std::string& problem, const CLI::App& app) {
 struct Command::Chosen {
   std::map<const CLI::App*, std::function<int()>> actions;
   std::map<const CLI::App*, std::function<std::string()>> checks;
+  Option::Proposals proposals;
 };
 
 Option& Option::required() {
@@ -123,8 +137,14 @@ Option& Option::range(double least, double most) {
   return *this;
 }
 
+Option& Option::propose(std::function<std::vector<std::string>()> values) {
+  (*proposals_)[option_] = std::move(values);
+  return *this;
+}
+
 Option& Option::one_of(std::initializer_list<const char*> values) {
   const std::vector<std::string> known(values.begin(), values.end());
+  propose([known] { return known; });
   std::string list;
   for (std::size_t i = 0; i < known.size(); ++i)
     list += (i == 0 ? "" : i + 1 == known.size() ? " or " : ", ") + known[i];
@@ -147,22 +167,23 @@ Command Command::add_command(const std::string& name, const std::string& what) {
 }
 
 Option Command::add(const std::string& names, OptionTarget target, const std::string& help) {
-  return Option(std::visit(
-      [&]<class Value>(Value* value) {
-        if constexpr (std::is_same_v<Value, bool>) {
-          return app_->add_flag(names, *value, help);
-        } else {
-          CLI::Option* option = app_->add_option(names, *value, help);
-          if constexpr (std::is_integral_v<Value>) option->transform(without_leading_zeros);
-          return option;
-        }
-      },
-      target));
+  return {std::visit(
+              [&]<class Value>(Value* value) {
+                if constexpr (std::is_same_v<Value, bool>) {
+                  return app_->add_flag(names, *value, help);
+                } else {
+                  CLI::Option* option = app_->add_option(names, *value, help);
+                  if constexpr (std::is_integral_v<Value>) option->transform(without_leading_zeros);
+                  return option;
+                }
+              },
+              target),
+          &chosen_->proposals};
 }
 
 Option Command::add_flag(const std::string& name, const std::string& usual, std::string& target,
                          const std::string& help) {
-  return Option(app_->add_flag(fmt::format("{}{{{}}}", name, usual), target, help));
+  return {app_->add_flag(fmt::format("{}{{{}}}", name, usual), target, help), &chosen_->proposals};
 }
 
 void Command::footer(const std::string& text) {
@@ -190,6 +211,22 @@ std::optional<std::string> Command::help_of(const std::vector<std::string>& path
     app = found.front();
   }
   return app->help(app == app_ ? "" : full_name(*app->get_parent()));
+}
+
+std::vector<std::string> Command::commands() const {
+  return names_of_commands(*app_);
+}
+
+CommandInfo Command::info() const {
+  CommandInfo info{app_->get_name(), app_->get_description(), app_->get_footer(), {}, {}};
+  for (const CLI::Option* option : app_->get_options()) {
+    OptionInfo& added = info.options.emplace_back(info_of(*option));
+    if (const auto found = chosen_->proposals.find(option); found != chosen_->proposals.end())
+      added.proposed = found->second();
+  }
+  for (CLI::App* command : app_->get_subcommands(std::function<bool(CLI::App*)>()))
+    info.commands.push_back(Command(command, chosen_).info());
+  return info;
 }
 
 Program::Program(const std::string& name, const std::string& what,

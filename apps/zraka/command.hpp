@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,20 @@ enum ExitCode { kDone = 0, kFailed = 1, kWrongUsage = 2, kSignalled = 128 };
 using OptionTarget = std::variant<bool*, int*, std::uint32_t*, std::size_t*, double*, std::string*,
                                   std::vector<std::string>*>;
 
+/// What a command is and takes: what manual pages and shells' completions are written from.
+struct OptionInfo {
+  std::vector<std::string> names;  ///< "-o", "--output"; of a positional argument its one name
+  std::string help;
+  std::string value;                  ///< what its value is, as UINT; "" for a flag
+  std::vector<std::string> proposed;  ///< values that a shell can propose
+  bool positional = false, required = false, repeated = false;
+};
+struct CommandInfo {
+  std::string name, what, footer;
+  std::vector<OptionInfo> options;
+  std::vector<CommandInfo> commands;
+};
+
 /// An option or a positional argument of a command.
 class Option {
  public:
@@ -36,11 +51,15 @@ class Option {
   Option& one_of(std::initializer_list<const char*> values);
   /// `accepts(value)` has to hold; else the value "is not `what`".
   Option& check(std::string what, std::function<bool(const std::string&)> accepts);
+  /// Values that a shell can propose, asked for when it does; others may be right, too.
+  Option& propose(std::function<std::vector<std::string>()> values);
 
  private:
   friend class Command;
-  explicit Option(CLI::Option* option) : option_(option) {}
+  using Proposals = std::map<const CLI::Option*, std::function<std::vector<std::string>()>>;
+  Option(CLI::Option* option, Proposals* proposals) : option_(option), proposals_(proposals) {}
   CLI::Option* option_;
+  Proposals* proposals_;
 };
 
 /// The program or one of its commands.
@@ -63,6 +82,10 @@ class Command {
 
   /// The text of --help of the command of this one that `path` leads to, if there is one.
   std::optional<std::string> help_of(const std::vector<std::string>& path) const;
+  /// The names of those right below this one.
+  std::vector<std::string> commands() const;
+  /// This command and those below it.
+  CommandInfo info() const;
 
  private:
   friend class Program;

@@ -51,8 +51,7 @@ int run(const Arguments& arguments) {
   if (!arguments.quiet) show(about(arguments.scene, written->losses));
   const Result<void> saved = write_text_file(arguments.output, written->text);
   if (!saved) return fail(saved.error());
-  if (!arguments.quiet && arguments.output != "-")
-    show(lost_files(read->scene, arguments.output));
+  if (!arguments.quiet && arguments.output != "-") show(lost_files(read->scene, arguments.output));
   return kDone;
 }
 

@@ -86,9 +86,8 @@ int run(const Arguments& arguments) {
   options.terms = terms_of(*stage_named(arguments.stage), *scene);
   Result<Explainer> explainer = mistaken_explainer(*scene, options, mistake_of(arguments.mistake));
   if (!explainer) return fail(explainer.error());
-  const Result<Explanation> explanation =
-      explainer->pixel(*coordinate(arguments.x), *coordinate(arguments.y),
-                       *coordinate(arguments.sample) - 1);
+  const Result<Explanation> explanation = explainer->pixel(
+      *coordinate(arguments.x), *coordinate(arguments.y), *coordinate(arguments.sample) - 1);
   if (!explanation) return fail(explanation.error());
   const Result<std::string> text = text_for(arguments, *scene, options, *explainer, *explanation);
   if (!text) return fail(text.error());

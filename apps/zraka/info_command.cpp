@@ -73,8 +73,7 @@ void print_text(const Scene& scene, const Facts& facts) {
              name_of(scene.defaults.profile));
   fmt::print("picture     {} × {} pixels\n", scene.resolution.width, scene.resolution.height);
   fmt::print("eye         {}\n", text_of(scene.camera.eye));
-  for (const Light& light : scene.lights)
-    fmt::print("light       {}\n", text_of(light.position));
+  for (const Light& light : scene.lights) fmt::print("light       {}\n", text_of(light.position));
 #define ZRAKA_COUNT(Type, plural) fmt::print("{:<11} {}\n", #plural, grouped(scene.plural.size()));
   ZRAKA_SHAPES(ZRAKA_COUNT)
 #undef ZRAKA_COUNT

@@ -49,8 +49,7 @@ void print_json(const Rendering& rendering, const Seconds& seconds, const std::s
                        {"refracted", s.rays.refracted}}},
                      {"samples_per_pixel", s.samples_per_pixel},
                      {"hits", s.rays.hits},
-                     {"cut",
-                      {{"rays", s.rays.cut}, {"most", s.most_cut}, {"mean", s.mean_cut}}},
+                     {"cut", {{"rays", s.rays.cut}, {"most", s.most_cut}, {"mean", s.mean_cut}}},
                      {"bytes", {{"scene", s.scene_bytes}, {"accel", s.accel_bytes}}},
                      {"threads", s.threads},
                      {"isa", name_of(s.isa)},
@@ -79,6 +78,12 @@ void print_text(const Rendering& rendering, const Seconds& seconds, const std::s
 }
 
 constexpr std::string_view kAllLayers = "all";
+
+std::vector<std::string> layer_words() {
+  std::vector<std::string> words(kLayerNames.begin(), kLayerNames.end());
+  words.emplace_back(kAllLayers);
+  return words;
+}
 
 /// Names with commas between them; none where one is unknown.
 std::optional<LayerSet> layers_named(const std::string& list) {
@@ -201,11 +206,15 @@ void add_render(Command& program) {
               fmt::join(kLayerNames, ", ")))
       .check(fmt::format("a list of {}, with commas between them, or all",
                          fmt::join(kLayerNames, ", ")),
-             [](const std::string& list) { return !list.empty() && layers_named(list); });
+             [](const std::string& list) { return !list.empty() && layers_named(list); })
+      .propose(layer_words);
   app.add("--tone-map", &arguments->tone_map,
           "how light becomes integers: clamp (default), reinhard or filmic")
       .check("clamp, reinhard or filmic",
-             [](const std::string& name) { return tone_curve_named(name).has_value(); });
+             [](const std::string& name) { return tone_curve_named(name).has_value(); })
+      .propose([] {
+        return std::vector<std::string>{"clamp", "reinhard", "filmic"};
+      });
   app.add("--exposure", &arguments->exposure, "in stops: 1 doubles the light before it is mapped")
       .range(-100, 100);
   app.add(

@@ -83,7 +83,10 @@ void RenderArguments::add_to(Command& command, Needs scene_needed) {
            "all else), spd (the Standard Procedural Databases' rules for counting rays) or tachyon "
            "(default for Tachyon's scenes)")
       .check("lab, physical, spd or tachyon",
-             [](const std::string& name) { return profile_named(name).has_value(); });
+             [](const std::string& name) { return profile_named(name).has_value(); })
+      .propose([] {
+        return std::vector<std::string>{"lab", "physical", "spd", "tachyon"};
+      });
   command.add("--threads", &threads, "how many threads; 0, the default, is all that there are")
       .range(0, kMaxThreads);
   command
@@ -91,7 +94,10 @@ void RenderArguments::add_to(Command& command, Needs scene_needed) {
       .range(0, kMaxTile);
   command.add("--isa", &isa, "instruction set: avx512, avx2 or portable; no pixel changes")
       .check("avx512, avx2 or portable",
-             [](const std::string& name) { return isa_named(name).has_value(); });
+             [](const std::string& name) { return isa_named(name).has_value(); })
+      .propose([] {
+        return std::vector<std::string>{"avx512", "avx2", "portable"};
+      });
   add_allow_outside_to(command, files);
   command.add("-q,--quiet", &quiet, "no progress bar, no warnings");
 }
@@ -101,7 +107,12 @@ void add_mistake_to(Command& command, std::string& key) {
       .add("--mistake", &key,
            "make one of the mistakes of \"zraka grade --list\", to see what it does")
       .check("the name of a mistake; zraka grade --list has them",
-             [](const std::string& name) { return mistake_named(name).has_value(); });
+             [](const std::string& name) { return mistake_named(name).has_value(); })
+      .propose([] {
+        std::vector<std::string> keys;
+        for (const MistakeEntry& entry : all_mistakes()) keys.emplace_back(entry.key);
+        return keys;
+      });
 }
 
 Mistake mistake_of(const std::string& key) {
@@ -115,7 +126,8 @@ void add_stage_to(Command& command, std::string& stage) {
            "shadows, reflection, refraction (default: all)")
       .check(
           "a stage: 1…7, silhouette, ambient, diffuse, specular, shadows, reflection or refraction",
-          [](const std::string& name) { return stage_named(name).has_value(); });
+          [](const std::string& name) { return stage_named(name).has_value(); })
+      .propose([] { return std::vector<std::string>(kStageNames.begin(), kStageNames.end()); });
 }
 
 Result<Scene> RenderArguments::load(const std::vector<std::string>& outputs,
@@ -180,7 +192,10 @@ RenderOptions RenderArguments::options(const Scene& loaded) const {
 
 void add_language_to(Command& command, std::string& language) {
   command.add("--lang", &language, "language of all words: en (default) or hr")
-      .check("en or hr", [](const std::string& name) { return language_named(name).has_value(); });
+      .check("en or hr", [](const std::string& name) { return language_named(name).has_value(); })
+      .propose([] {
+        return std::vector<std::string>{"en", "hr"};
+      });
 }
 
 void add_format_to(Command& command, std::string& format) {
