@@ -11,16 +11,13 @@
 #include "explain/json.hpp"
 #include "explain/sentence.hpp"
 #include "explain/text.hpp"
+#include "py_scene.hpp"
 #include "rendering.hpp"
+#include "scene/bulk.hpp"
 #include "scene/view.hpp"
 
 namespace zraka::python {
 namespace {
-
-/// A Scene and where Python is with it.
-struct PyScene {
-  Scene scene;
-};
 
 Resolution resolution_of(const py::object& width, const py::object& height) {
   Resolution size;
@@ -82,8 +79,10 @@ void add_spheres_of(PyScene& self, const py::object& centers, const py::object& 
   arrays.material = material_of(self, material);
   read_radii(radii, points.shape(0), kept_radii, arrays);
   arrays.colors = colors_of(colors, points.shape(0), kept_colors);
-  const Result<void> added = add_spheres(self.scene, arrays);
-  if (!added) raise(added.error());
+  if (const Result<void> good = check_spheres(self.scene, arrays); !good) raise(good.error());
+  if (points.shape(0) >= kKeptFrom) return self.keep(arrays, points, kept_radii, kept_colors);
+  if (const Result<void> added = add_checked_spheres(self.scene, arrays); !added)
+    raise(added.error());
 }
 
 void add_cylinders_of(PyScene& self, const py::object& starts, const py::object& ends,
@@ -144,7 +143,9 @@ py::array render_scene(const PyScene& self, const Keywords& keywords) {
   const RenderOptions options = options_of(self.scene.defaults, keywords);
   const Picture picture = new_picture(self.scene.resolution, keywords, options.transparent);
   value_of(interruptible(options, keywords.progress, [&](const RenderOptions& wanted) {
-    return render_into(picture.buffer, self.scene, wanted);
+    return self.with_whole(wanted.cancel, [&]<class SceneRef>(SceneRef&& scene) {
+      return render_into(picture.buffer, std::forward<SceneRef>(scene), wanted);
+    });
   }));
   return picture.array;
 }
@@ -153,7 +154,9 @@ py::bytes png_of(const PyScene& self) {
   const RenderOptions options = zraka::options_of(self.scene.defaults);
   const Rendering rendering =
       value_of(interruptible(options, py::none(), [&](const RenderOptions& wanted) {
-        return render(self.scene, wanted);
+        return self.with_whole(wanted.cancel, [&]<class SceneRef>(SceneRef&& scene) {
+          return render(std::forward<SceneRef>(scene), wanted);
+        });
       }));
   return py::bytes(
       value_of(encode_png(rendering.image, {.transfer = options.profile.transfer, .threads = 0})));
@@ -171,7 +174,9 @@ py::dict layers_of(const PyScene& self, const std::vector<std::string>& names) {
   }
   const Rendering rendering =
       value_of(interruptible(options, py::none(), [&](const RenderOptions& wanted) {
-        return render(self.scene, wanted);
+        return self.with_whole(wanted.cancel, [&]<class SceneRef>(SceneRef&& scene) {
+          return render(std::forward<SceneRef>(scene), wanted);
+        });
       }));
   py::dict arrays;
   const std::vector<py::ssize_t> shape{rendering.layers.height, rendering.layers.width};
@@ -193,9 +198,12 @@ PyExplanation explain_pixel(const PyScene& self, const py::object& x, const py::
     return static_cast<std::uint32_t>(whole_of(given, name, 0, std::int64_t{size} - 1));
   };
   const Resolution& size = self.scene.resolution;
-  const Explanation explanation =
-      value_of(explain(self.scene, zraka::options_of(self.scene.defaults),
-                       in_range(x, "x", size.width), in_range(y, "y", size.height)));
+  const std::uint32_t column = in_range(x, "x", size.width), row = in_range(y, "y", size.height);
+  const Explanation explanation = value_of(
+      interruptible(zraka::options_of(self.scene.defaults), py::none(), [&](const auto& wanted) {
+        return self.with_whole(
+            wanted.cancel, [&](const Scene& scene) { return explain(scene, wanted, column, row); });
+      }));
   const ProfileName profile = self.scene.defaults.profile;
   TextOptions options;
   options.scene = "scene";
@@ -219,7 +227,7 @@ PyScene read(const std::string& path) {
     const py::gil_scoped_release release;
     return read_scene(path);
   }();
-  return {value_of(std::move(scene)).scene};
+  return {.scene = value_of(std::move(scene)).scene};
 }
 
 /// Many pictures of one scene.
@@ -284,7 +292,8 @@ void add_scene(py::module_& module) {
            py::arg("colors") = none, py::arg("material") = 0,
            "Adds n spheres: centers of shape (n, 3); radii of shape (n,), or one for all; colors "
            "of shape (n, 3), by which the material's ambient and diffuse colour are multiplied. "
-           "float32 and float64 are read where they are, whatever their strides.")
+           "float32 and float64 are read where they are, whatever their strides. Arrays of "
+           "100 000 spheres or more are not copied but kept, and must not be changed afterwards.")
       .def("cylinders", &add_cylinders_of, py::arg("starts"), py::arg("ends"), py::arg("radii") = 1,
            py::kw_only(), py::arg("colors") = none, py::arg("material") = 0,
            "Adds n cylinders without caps: starts and ends of shape (n, 3); radii and colors as "
@@ -315,7 +324,11 @@ void add_scene(py::module_& module) {
            "Why the pixel in column x, row y from the upper left has its colour.")
       .def("_repr_png_", &png_of)
       .def(
-          "to_toml", [](const PyScene& self) { return value_of(write_toml(self.scene)); },
+          "to_toml",
+          [](const PyScene& self) {
+            return value_of(
+                self.with_whole(nullptr, [](const Scene& scene) { return write_toml(scene); }));
+          },
           "The scene in the scene language, which load() and loads() read.")
       .def_property(
           "resolution",
@@ -329,11 +342,11 @@ void add_scene(py::module_& module) {
             self.scene.resolution = resolution_of(pair[0], pair[1]);
           },
           "(width, height) in pixels.")
-      .def("__len__", [](const PyScene& self) { return self.scene.shape_count(); })
+      .def("__len__", [](const PyScene& self) { return self.shape_count(); })
       .def("__repr__", [](const PyScene& self) {
-        return fmt::format("<zraka.Scene: {} shapes, {} lights, {}×{} pixels>",
-                           self.scene.shape_count(), self.scene.lights.size(),
-                           self.scene.resolution.width, self.scene.resolution.height);
+        return fmt::format("<zraka.Scene: {} shapes, {} lights, {}×{} pixels>", self.shape_count(),
+                           self.scene.lights.size(), self.scene.resolution.width,
+                           self.scene.resolution.height);
       });
 }
 
@@ -343,12 +356,14 @@ void add_renderer(py::module_& module) {
                          "A scene that is ready for many pictures: another view costs no build. "
                          "It keeps a copy of the scene as it is now.")
       .def(py::init([](const PyScene& scene) {
-             Result<Renderer> made = [&] {
-               const py::gil_scoped_release release;
-               return Renderer::create(scene.scene, zraka::options_of(scene.scene.defaults));
-             }();
-             return std::make_unique<PyRenderer>(
-                 PyRenderer{value_of(std::move(made)), scene.scene.defaults});
+             const RenderOptions options = zraka::options_of(scene.scene.defaults);
+             Renderer made =
+                 value_of(interruptible(options, py::none(), [&](const RenderOptions& wanted) {
+                   return scene.with_whole(wanted.cancel, [&]<class SceneRef>(SceneRef&& whole) {
+                     return Renderer::create(std::forward<SceneRef>(whole), wanted);
+                   });
+                 }));
+             return std::make_unique<PyRenderer>(PyRenderer{std::move(made), scene.scene.defaults});
            }),
            py::arg("scene"))
       .def(
@@ -397,7 +412,9 @@ PYBIND11_MODULE(_zraka, module) {
              "problems with line and column.");
   module.def(
       "loads",
-      [](const std::string& text) { return PyScene{value_of(parse_scene(text, "scene")).scene}; },
+      [](const std::string& text) {
+        return PyScene{.scene = value_of(parse_scene(text, "scene")).scene};
+      },
       py::arg("text"), "Reads a scene from a string.");
   module.def("sha256", &hash_of, py::arg("image"),
              "The hash of a picture's float32 bits that zraka render --hash prints.");

@@ -28,6 +28,16 @@ TEST(Build, IsBuiltFromAMillionEqualSpheres) {
   for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], static_cast<std::int32_t>(i));
 }
 
+TEST(Build, IsGivenUpWhereItWasCancelled) {
+  BuildRefs refs(100000);
+  for (std::size_t i = 0; i < refs.size(); ++i)
+    refs[i] = {{-1, -1, -1}, {1, 1, 1}, static_cast<std::int32_t>(i)};
+  const std::atomic<bool> cancel{true};
+  const BuiltHierarchy built = build_hierarchy(std::move(refs), {0, 100000}, &cancel);
+  EXPECT_TRUE(built.nodes.empty());
+  EXPECT_TRUE(built.order.empty());
+}
+
 TEST(Build, StaysFlatEnoughForItsStack) {
   // Every shape half as large as the one before and beside it: each cut takes off only a few.
   BuildRefs refs(20000);
@@ -90,7 +100,7 @@ float cost_of(const BuiltHierarchy& built) {
     for (std::size_t i = 0; i < kNodeWidth; ++i) {
       if (node.leaf[i] == kNoChild) continue;
       const Bounds box{{node.lower_x[i], node.lower_y[i], node.lower_z[i]},
-                    {node.upper_x[i], node.upper_y[i], node.upper_z[i]}};
+                       {node.upper_x[i], node.upper_y[i], node.upper_z[i]}};
       all.include(box);
       const auto shapes = static_cast<float>(leaf_count(node.leaf[i]));
       if (shapes > 0) cost += half_area(box) * (1 + shapes);

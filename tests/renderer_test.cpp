@@ -129,6 +129,9 @@ TEST(Renderer, CanBeCancelledAndRefusesWhatItIsNotReadyFor) {
     return result ? "" : result.error()[0].message;
   };
   EXPECT_EQ(message(options), "the render was cancelled");
+  const Result<Renderer> unfinished = Renderer::create(some_spheres(), options);
+  ASSERT_FALSE(unfinished);
+  EXPECT_EQ(unfinished.error()[0].message, "the render was cancelled");
   options = {};
   options.profile = profile_of(ProfileName::lab);
   EXPECT_EQ(message(options),

@@ -51,6 +51,11 @@ ZRAKA_API RenderOptions options_of(const RenderDefaults& defaults);
 ZRAKA_API Result<RenderStats> render_into(const PixelBuffer& buffer, const Scene& scene,
                                           const RenderOptions& options = {},
                                           const TileDone& tile_done = {});
+/// The same for a scene that nobody needs any more: its memory is free before the hierarchy's is
+/// taken.
+ZRAKA_API Result<RenderStats> render_into(const PixelBuffer& buffer, Scene&& scene,
+                                          const RenderOptions& options = {},
+                                          const TileDone& tile_done = {});
 
 /// A scene that is ready for many pictures: another view costs no build, unless it looks at things
 /// so small or so far off that floats need another place for the scene's origin (RenderStats::

@@ -63,14 +63,17 @@ void set_box(Node& node, std::size_t i, const BuildBounds& bounds) {
 
 class Builder {
  public:
-  Builder(BuildRef* refs, const std::vector<std::int32_t>& kind_starts)
+  Builder(BuildRef* refs, const std::vector<std::int32_t>& kind_starts,
+          const std::atomic<bool>* cancel)
       : refs_(refs),
+        cancel_(cancel),
         kinds_(kind_starts),
         rules_(rules_for(static_cast<std::size_t>(kind_starts.back()))) {}
 
   /// The root's number in the pool; a leaf's child is its first reference's index.
   std::int32_t build(const Range& all);
   const NodePool& pool() const { return pool_; }
+  bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
 
  private:
   Collapse collapse(const Range& range, int depth) const;
@@ -80,6 +83,7 @@ class Builder {
   void set_child(Node& node, std::size_t i, const Collapse& collapse, const Collapse::Part& part);
 
   BuildRef* refs_;
+  const std::atomic<bool>* cancel_;
   const Kinds kinds_;
   const CollapseRules rules_;
   NodePool pool_;
@@ -172,6 +176,7 @@ std::int32_t Builder::add_node(const Collapse& collapse, const Collapse::Part& p
 }
 
 void Builder::set_child(Node& node, std::size_t i, const Range& range, int depth) {
+  if (cancelled()) return;  // nobody will look at the node
   if (range.size() >= kGridSize) {
     set_box(node, i, range.bounds);
     node.leaf[i] = 0;
@@ -237,13 +242,15 @@ std::vector<std::int32_t> BuildRefs::into_indices() && {
   return indices;
 }
 
-BuiltHierarchy build_hierarchy(BuildRefs refs, const std::vector<std::int32_t>& kind_starts) {
+BuiltHierarchy build_hierarchy(BuildRefs refs, const std::vector<std::int32_t>& kind_starts,
+                               const std::atomic<bool>* cancel) {
   BuiltHierarchy built;
   if (refs.size() == 0) return built;
-  Builder builder(refs.data(), kind_starts);
+  Builder builder(refs.data(), kind_starts, cancel);
   Range all{refs.begin(), refs.end(), {}, {}};
   if (refs.size() < kGridSize) all = range_of(refs.begin(), refs.end());
   const std::int32_t root = builder.build(all);
+  if (builder.cancelled()) return built;
   built.order = std::move(refs).into_indices();
 
   // By kinds: each kind's primitives in the order that they have among all.

@@ -2,6 +2,7 @@
 // Builds the hierarchy.
 #pragma once
 
+#include <atomic>
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -36,7 +37,9 @@ class BuildRefs {
 /// depend on the number of threads. Splits by the surface area heuristic over bins (Wald, "On fast
 /// construction of SAH-based bounding volume hierarchies", 2007): large ranges straight into nodes
 /// of sixteen, others as collapse.hpp says. Boxes must be finite. Needs 14 bytes a primitive
-/// besides the references, which it uses up.
-BuiltHierarchy build_hierarchy(BuildRefs refs, const std::vector<std::int32_t>& kind_starts);
+/// besides the references, which it uses up. Where `cancel` was set on the way, what it returns is
+/// not to be used.
+BuiltHierarchy build_hierarchy(BuildRefs refs, const std::vector<std::int32_t>& kind_starts,
+                               const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace zraka

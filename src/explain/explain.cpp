@@ -148,8 +148,10 @@ Result<Explainer> varied_explainer(const Scene& scene, const RenderOptions& opti
       return tl::make_unexpected(good.error());
   }
   try {
-    return Explainer(std::unique_ptr<Explainer::Impl>(
-        new Explainer::Impl{stand_for(scene, asked, *isa, variation)}));
+    auto impl = std::unique_ptr<Explainer::Impl>(
+        new Explainer::Impl{stand_for(scene, asked, *isa, variation)});
+    if (is_cancelled(asked)) return failure("", "the explanation was cancelled");
+    return Explainer(std::move(impl));
   } catch (const std::bad_alloc&) {
     return failure("", fmt::format("not enough memory for {} shapes", scene.shape_count()));
   }

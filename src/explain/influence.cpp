@@ -259,6 +259,7 @@ Result<Influence> influence(const Scene& scene, const RenderOptions& options,
     return tl::make_unexpected(good.error());
   try {
     const PreparedScene<float> prepared = prepare<float>(scene, options);
+    if (is_cancelled(options)) return failure("", "the search was cancelled");
     const FrozenScene<float>& frozen = prepared.store->scene;
     const Wanted wanted(scene, *prepared.store, shape);
     if (!wanted.exists()) return failure("", "the scene does not have this shape");

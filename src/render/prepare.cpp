@@ -78,13 +78,15 @@ namespace {
 
 /// Builds the hierarchy of a scene's shapes, or of a group's.
 template <class R>
-void add_hierarchy(FrozenStore<R>& store, BuiltHierarchy& hierarchy) {
+void add_hierarchy(FrozenStore<R>& store, BuiltHierarchy& hierarchy, const RenderOptions& options) {
+  if (is_cancelled(options)) return;
   const std::vector<std::int32_t> kind_starts = kind_starts_of(store.scene);
   const auto count = static_cast<std::size_t>(kind_starts.back());
   if (count > (store.scene.bodies.bounded > 0 ? kFewBodies : kFewShapes)) {
     BuildRefs refs(count);
     refer_to(store.scene, refs.data());
-    hierarchy = build_hierarchy(std::move(refs), kind_starts);
+    hierarchy = build_hierarchy(std::move(refs), kind_starts, options.cancel);
+    if (is_cancelled(options)) return;
     // Slots outside of the hierarchy come after all leaves.
     if (!hierarchy.rank.empty())
       for (std::int32_t i = store.scene.bodies.bounded; i < store.scene.bodies.count; ++i)
@@ -95,14 +97,14 @@ void add_hierarchy(FrozenStore<R>& store, BuiltHierarchy& hierarchy) {
 }
 
 template <class R>
-void finish(PreparedScene<R>& prepared) {
+void finish(PreparedScene<R>& prepared, const RenderOptions& options) {
   FrozenStore<R>& store = *prepared.store;
   store.group_hierarchies.resize(store.groups.size());
   for (std::size_t i = 0; i < store.groups.size(); ++i) {
-    add_hierarchy(*store.group_stores[i], store.group_hierarchies[i]);
+    add_hierarchy(*store.group_stores[i], store.group_hierarchies[i], options);
     store.groups[i] = store.group_stores[i]->scene;
   }
-  add_hierarchy(store, prepared.hierarchy);
+  add_hierarchy(store, prepared.hierarchy, options);
 }
 
 /// Whether what is asked for is beyond the lab's engine.
@@ -163,7 +165,7 @@ template <class R>
 PreparedScene<R> prepare(const Scene& scene, const RenderOptions& options) {
   PreparedScene<R> prepared{frame_of(scene), {}, nullptr};
   prepared.store = freeze<R>(scene, options.profile, prepared.frame, has_optics(options));
-  finish(prepared);
+  finish(prepared, options);
   return prepared;
 }
 
@@ -174,7 +176,7 @@ PreparedScene<R> prepare_with_room(const Scene& scene, const RenderOptions& opti
   FrozenCamera<R>& camera = prepared.store->scene.camera;
   const FrozenCamera<R> own = camera;
   camera.beyond = std::max(camera.beyond, room);
-  finish(prepared);
+  finish(prepared, options);
   camera = own;
   return prepared;
 }
@@ -184,7 +186,7 @@ PreparedScene<R> prepare(Scene&& scene, const RenderOptions& options) {
   PreparedScene<R> prepared{frame_of(scene), {}, nullptr};
   prepared.store = freeze<R>(scene, options.profile, prepared.frame, has_optics(options));
   scene = Scene();
-  finish(prepared);
+  finish(prepared, options);
   return prepared;
 }
 

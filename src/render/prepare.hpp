@@ -26,7 +26,13 @@ struct PreparedScene {
   std::unique_ptr<FrozenStore<R>> store;
 };
 
-/// Builds and freezes a scene that check_request() finds nothing wrong with.
+/// Whether the caller wants no result any more.
+inline bool is_cancelled(const RenderOptions& options) {
+  return options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed);
+}
+
+/// Builds and freezes a scene that check_request() finds nothing wrong with. Afterwards ask
+/// is_cancelled(): what was cancelled on the way is not whole, and nobody may trace it.
 template <class R>
 PreparedScene<R> prepare(const Scene& scene, const RenderOptions& options);
 /// The same, with a hierarchy that also serves eyes up to `room` from the frame's centre, in its

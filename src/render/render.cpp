@@ -182,6 +182,7 @@ bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOp
   const PreparedScene<R> prepared = need_scene(options.layers)
                                         ? prepare<R>(std::as_const(scene), options)
                                         : prepare<R>(std::forward<SceneRef>(scene), options);
+  if (is_cancelled(options)) return false;
   rendering.stats.build_seconds = seconds_since(start);
   rendering.stats.scene_bytes = prepared.store->bytes();
   rendering.stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node) +
@@ -198,6 +199,7 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
   Diagnostics problems;
   with_threads(options.threads, [&] { problems = check_request(scene, options); });
   if (!problems.empty()) return tl::make_unexpected(std::move(problems));
+  if (is_cancelled(options)) return failure("", "the render was cancelled");
   const Result<Isa> isa = choose_isa(options.isa);
   if (!isa) return tl::make_unexpected(isa.error());
   if (variation.kernel != nullptr && needs_general_engine(scene, options)) return beyond_the_lab();
@@ -241,6 +243,11 @@ Result<Rendering> render(Scene&& scene, const RenderOptions& options) {
 Result<Rendering> render_with_tiles(const Scene& scene, const RenderOptions& options,
                                     const TileOfImage& tile_done) {
   return render_any(scene, options, {}, tile_done);
+}
+
+Result<Rendering> render_with_tiles(Scene&& scene, const RenderOptions& options,
+                                    const TileOfImage& tile_done) {
+  return render_any(std::move(scene), options, {}, tile_done);
 }
 
 Result<void> check_lesson(const Scene& scene) {

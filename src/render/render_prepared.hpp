@@ -27,6 +27,8 @@ bool render_prepared(const Scene* scene, const PreparedScene<R>& prepared,
 /// As render(); tells of parts of the image that are done.
 Result<Rendering> render_with_tiles(const Scene& scene, const RenderOptions& options,
                                     const TileOfImage& tile_done);
+Result<Rendering> render_with_tiles(Scene&& scene, const RenderOptions& options,
+                                    const TileOfImage& tile_done);
 
 /// So many threads work where options say `wanted`: 0 means those of the caller's arena.
 inline int threads_for(int wanted) {

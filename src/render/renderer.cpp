@@ -179,7 +179,10 @@ struct Renderer::Impl {
     }
     const auto start = std::chrono::steady_clock::now();
     auto made = std::make_shared<Ready>();
-    made->prepared = prepare_with_room<float>(scene, options, kRoom);
+    RenderOptions until_cancelled = options;
+    until_cancelled.cancel = wanted.cancel;
+    made->prepared = prepare_with_room<float>(scene, until_cancelled, kRoom);
+    if (is_cancelled(wanted)) return failure("", "the render was cancelled");
     made->room = reach_of(made->prepared.store->scene.camera);
     made->room = std::max(made->room, kRoom);
     made->build_seconds =
@@ -271,17 +274,32 @@ Result<RenderStats> Renderer::render_into(const PixelBuffer& buffer, const View&
   });
 }
 
-Result<RenderStats> render_into(const PixelBuffer& buffer, const Scene& scene,
-                                const RenderOptions& options, const TileDone& tile_done) {
+namespace {
+
+template <class SceneRef>
+Result<RenderStats> any_into(const PixelBuffer& buffer, SceneRef&& scene,
+                             const RenderOptions& options, const TileDone& tile_done) {
   return without_exceptions([&]() -> Result<RenderStats> {
     if (Diagnostics problems = check_buffer(buffer, scene.resolution, options); !problems.empty())
       return tl::make_unexpected(std::move(problems));
-    const Result<Rendering> rendering =
-        render_with_tiles(scene, options, into_buffer(buffer, options, tile_done));
+    const Result<Rendering> rendering = render_with_tiles(std::forward<SceneRef>(scene), options,
+                                                          into_buffer(buffer, options, tile_done));
     if (!rendering) return tl::make_unexpected(rendering.error());
     if (options.transparent) write_transparent(*rendering, buffer, options, tile_done);
     return rendering->stats;
   });
+}
+
+}  // namespace
+
+Result<RenderStats> render_into(const PixelBuffer& buffer, const Scene& scene,
+                                const RenderOptions& options, const TileDone& tile_done) {
+  return any_into(buffer, scene, options, tile_done);
+}
+
+Result<RenderStats> render_into(const PixelBuffer& buffer, Scene&& scene,
+                                const RenderOptions& options, const TileDone& tile_done) {
+  return any_into(buffer, std::move(scene), options, tile_done);
 }
 
 RenderOptions options_of(const RenderDefaults& defaults) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "scene/bulk.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -10,7 +13,6 @@
 #include <stdexcept>
 #include <string_view>
 #include <utility>
-#include <zraka/bulk.hpp>
 
 namespace zraka {
 namespace {
@@ -121,15 +123,23 @@ class Tints {
   std::uint32_t last_ = 0;
 };
 
+/// So many shapes are added in less than a millisecond.
+constexpr std::size_t kBetweenLooks = 16384;
+
 /// Adds shape(i) for each index, or nothing where memory is not enough.
 template <class Shape, class Make>
 Result<void> add_all(Scene& scene, std::vector<Object<Shape>>& shapes, std::size_t count,
-                     const BulkMaterial& bulk, const Make& make) {
+                     const BulkMaterial& bulk, const Make& make,
+                     const std::atomic<bool>* cancel = nullptr) {
   const std::size_t shapes_before = shapes.size(), materials_before = scene.materials.size();
   try {
     shapes.reserve(shapes_before + count);
     Tints tints(scene, bulk);
-    for (std::size_t i = 0; i < count; ++i) shapes.push_back({make(i), tints.of(i)});
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i % kBetweenLooks == 0 && cancel != nullptr && cancel->load(std::memory_order_relaxed))
+        break;
+      shapes.push_back({make(i), tints.of(i)});
+    }
     return {};
   } catch (const std::bad_alloc&) {
   } catch (const std::length_error&) {
@@ -141,16 +151,40 @@ Result<void> add_all(Scene& scene, std::vector<Object<Shape>>& shapes, std::size
 
 }  // namespace
 
-Result<void> add_spheres(Scene& scene, const SphereArrays& arrays) {
+Result<void> check_spheres(const Scene& scene, const SphereArrays& arrays) {
   Checker checker(arrays.centers.count);
   checker.points("centers", arrays.centers);
   checker.radii(arrays.radii, arrays.radius);
   checker.materials(scene, arrays);
-  if (Result<void> good = checker.result(); !good) return good;
-  return add_all(scene, scene.spheres, arrays.centers.count, arrays, [&](std::size_t i) {
+  return checker.result();
+}
+
+Result<void> add_checked_spheres(Scene& scene, const SphereArrays& arrays,
+                                 const std::atomic<bool>* cancel) {
+  const auto sphere = [&](std::size_t i) {
     return Sphere{point_of(arrays.centers, i),
                   arrays.radii.count > 0 ? item_of(arrays.radii, i)[0] : arrays.radius};
-  });
+  };
+  return add_all(scene, scene.spheres, arrays.centers.count, arrays, sphere, cancel);
+}
+
+std::uint64_t fingerprint(const SphereArrays& arrays) {
+  std::uint64_t sum = 0;
+  const auto add = [&sum](const auto& numbers) {
+    for (std::size_t i = 0; i < numbers.count; ++i)
+      for (const double number : item_of(numbers, i))
+        // A step of Fowler, Noll and Vo's, of 64 bits at once.
+        sum = (sum ^ std::bit_cast<std::uint64_t>(number)) * 0x100000001b3;
+  };
+  add(arrays.centers);
+  add(arrays.radii);
+  add(arrays.colors);
+  return sum;
+}
+
+Result<void> add_spheres(Scene& scene, const SphereArrays& arrays) {
+  if (Result<void> good = check_spheres(scene, arrays); !good) return good;
+  return add_checked_spheres(scene, arrays);
 }
 
 Result<void> add_cylinders(Scene& scene, const CylinderArrays& arrays) {

@@ -222,6 +222,7 @@ Result<SceneFacts> measure_stages(
     return tl::make_unexpected(isa.error());
   try {
     Measurement measurement(scene, options);
+    if (is_cancelled(options)) return failure("", "the report was cancelled");
     measurement.facts.resolution = scene.resolution;
     measurement.facts.profile = options.profile;
     measurement.facts.max_depth = options.max_depth;
