@@ -9,6 +9,7 @@
 
 #include "engine/general/steps.hpp"
 #include "engine/general/wavelengths.hpp"
+#include "render/prepare.hpp"
 #include "scenes.hpp"
 
 namespace zraka {
@@ -159,6 +160,19 @@ TEST(Lights, MayBeDirectional) {
   EXPECT_NEAR(middle(rendered(scene))[0], 0.8, 1e-6);
   scene.spheres.push_back({Sphere{{300, 0, 400}, 1}, 0});
   EXPECT_EQ(middle(rendered(scene))[0], 0);
+}
+
+TEST(Lights, FromAfarAreTheLabEnginesToo) {
+  Scene scene = mixed_scene(60);
+  scene.lights = {{.position = {}, .kind = LightKind::directional, .direction = {-1, -3, -2}},
+                  {.position = {4, 6, 5}}};
+  RenderOptions options;
+  EXPECT_FALSE(needs_general_engine(scene, options));
+  const Image lab = rendered(scene, options);
+  options.min_contribution = 1e-12;
+  EXPECT_TRUE(needs_general_engine(scene, options));
+  const Image general = rendered(scene, options);
+  EXPECT_GT(agreement(lab, general, 1e-4f), 0.995);
 }
 
 TEST(Lights, MayBeSpots) {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "explain/general_reader.hpp"
 #include "explain/hit_reader.hpp"
 #include "render/workspace.hpp"
@@ -152,13 +154,16 @@ void TreeReader::at_light(std::int32_t light, std::size_t shadow_rays, const Lev
   if (terms_.recording().stop) return;
   const Terms& stage = settings_.terms;
   const auto hits = static_cast<std::size_t>(level.hit_count);
+  const bool far =
+      stand_.scene.lights[static_cast<std::size_t>(light)].kind == LightKind::directional;
   const auto of_light = [&](std::size_t h) -> LightTerms& {
     return hit(level, h).lights[static_cast<std::size_t>(light)];
   };
   for (std::size_t h = 0; h < hits; ++h)
     hit(level, h).lights.push_back(
         {.reach = Reach::behind,
-         .distance = stand_.length(terms_.at(Quantity::light_distance, h)),
+         .distance = far ? std::numeric_limits<double>::infinity()
+                         : stand_.length(terms_.at(Quantity::light_distance, h)),
          .to_light = terms_.three_at(Quantity::to_light, h),
          .l_n = terms_.at(Quantity::l_n, h),
          .arriving = color_of(light)});

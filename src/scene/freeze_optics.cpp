@@ -197,8 +197,8 @@ bool has_optics(const Scene& scene) {
          scene.fog.kind != Fog::Kind::none ||
          std::any_of(scene.lights.begin(), scene.lights.end(),
                      [](const Light& light) {
-                       return light.kind != LightKind::point ||
-                              light.attenuation != Vec3{1, 0, 0};
+                       if (light.kind == LightKind::directional) return false;
+                       return light.kind != LightKind::point || light.attenuation != Vec3{1, 0, 0};
                      }) ||
          std::any_of(scene.materials.begin(), scene.materials.end(),
                      [](const Material& m) { return has_optics(m); });
