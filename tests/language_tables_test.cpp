@@ -60,6 +60,7 @@ std::string good_value(const Field& field, int number) {
     case FieldKind::integer:
       if (field.key == "inner_radius") return "0.5";  // less than the other
       if (field.key == "priority") return "-3";
+      if (field.key == "start" || field.key == "low") return "-0.5";  // less than its other end
       return std::isfinite(about.range.least) ? text_of(about.range.least + 1) : "1";
     case FieldKind::boolean:
       return "false";

@@ -128,6 +128,40 @@ TEST(LanguageLights, AreWrittenAsTheyWereRead) {
   EXPECT_NE(text.find("target = [0, 1, 0]"), std::string::npos) << text;
 }
 
+TEST(LanguageScenes, HaveFogAndAGradientsEnds) {
+  const auto scene = [](const std::string& entries) { return scene_of("[scene]\n" + entries); };
+  EXPECT_EQ(scene("").fog, Fog{});
+  EXPECT_EQ(scene("fog = {kind = \"linear\", start = 2, end = 5, color = 0.5}\n").fog,
+            (Fog{Fog::Kind::linear, 2, 5, 1, {0.5, 0.5, 0.5}, false}));
+  EXPECT_EQ(scene("fog = {kind = \"squared\", density = 0.25, planar = true}\n").fog,
+            (Fog{Fog::Kind::squared, 0, 1, 0.25, {}, true}));
+  for (const char* fog : {"{kind = \"linear\", start = 2, end = 5, color = 0.5}",
+                          "{kind = \"exponential\", density = 0.1, start = 1}",
+                          "{kind = \"squared\", planar = true}"})
+    expect_rewritten(std::string("[scene]\nfog = ") + fog + "\n");
+  expect_rewritten(
+      "[scene]\nbackground = {kind = \"gradient\", bottom = 0, top = 1, low = -0.25, high = "
+      "0.5}\n");
+  expect_rewritten(
+      "[camera]\nkind = \"panorama\"\nlongitude_deg = 120\nlatitude_deg = 60\n"
+      "[[light]]\nkind = \"spot\"\nposition = [1, 2, 3]\nlinear_edge = true\n"
+      "[texture.t]\nkind = \"checker\"\nmapping = \"cylinder\"\n"
+      "[texture.u]\nkind = \"checker\"\nmapping = \"sphere\"\n"
+      "[material.m]\ndiffuse = \"t\"\nspecular = \"u\"\ncasts_shadow = false\n");
+}
+
+TEST(LanguageScenes, RefuseFogAndGradientsThatEndBeforeTheyStart) {
+  EXPECT_EQ(
+      answer_to("[scene]\nfog = {kind = \"linear\", start = 5, end = 2}\n"),
+      "s.toml:2:7: error: fog of scene ends at 2, and starts at 5: expected an end beyond its "
+      "start\n  fog = {kind = \"linear\", start = 5, end = 2}\n        ^\n");
+  const std::string answer = answer_to(
+      "[scene]\nbackground = {kind = \"gradient\", bottom = 0, top = 1, low = 0.5, high = 0}\n");
+  EXPECT_EQ(answer.substr(0, answer.find('\n')),
+            "s.toml:2:14: error: background of scene is all top from 0 on, and all bottom up to "
+            "0.5: expected high to be more than low");
+}
+
 TEST(LanguageCameras, OfPerspectiveHaveALens) {
   const std::string view = "eye = [0, 0, 5]\nlook_at = [0, 0, 1]\n";
   EXPECT_EQ(camera_of(view).aperture, 0);
@@ -283,7 +317,8 @@ TEST(LanguageRendering, IsWrittenAsItWasRead) {
 /// A folder with a picture.
 const ReadOptions& with_picture() {
   static const ReadOptions options = [] {
-    const std::string folder = testing::TempDir() + "zraka_language_views" + std::to_string(::getpid());
+    const std::string folder =
+        testing::TempDir() + "zraka_language_views" + std::to_string(::getpid());
     std::filesystem::create_directories(folder);
     std::ofstream(folder + "/sky.ppm") << "P3 2 1 255 255 0 0 0 0 255\n";
     return ReadOptions{.folder = folder};
@@ -328,7 +363,8 @@ TEST(LanguageSkies, SayWhatIsWrong) {
   EXPECT_EQ(first("-1"),
             "s.toml:4:14: error: background of scene is -1: expected a colour: [r, g, b], each 0 "
             "or more, one number for grey, or \"#rrggbb\"; or a table {kind = \"gradient\", bottom "
-            "= …, top = …, up = …} or {kind = \"image\", file = …, texture = …, up = …}");
+            "= …, top = …, up = …, low = …, high = …} or {kind = \"image\", file = …, texture = …, "
+            "up = …}");
   EXPECT_EQ(first("{bottom = 0, top = 1}"), "s.toml:4:14: error: background of scene has no kind");
   EXPECT_EQ(first("{kind = \"radient\", bottom = 0, top = 1}"),
             "s.toml:4:22: error: unknown kind 'radient' for background of scene");

@@ -127,25 +127,10 @@ std::vector<std::string> all_names(std::size_t count, const char* word,
 /// What scenes of other formats have that the language has no keys for.
 template <class Complain>
 void refuse_what_has_no_keys(const Scene& scene, const Complain& complain) {
-  const auto any = [](const auto& list, const auto& has) {
-    return std::any_of(list.begin(), list.end(), has);
+  const auto in_no_file = [](const Texture& t) {
+    return t.kind == TextureKind::image && t.file.empty() && t.image != nullptr;
   };
-  const Camera whole;
-  if (scene.fog.kind != Fog::Kind::none) complain("fog");
-  if (scene.camera.longitude_deg != whole.longitude_deg ||
-      scene.camera.latitude_deg != whole.latitude_deg)
-    complain("a panorama of a part of all round");
-  if (scene.sky.low != Sky{}.low || scene.sky.high != Sky{}.high)
-    complain("a gradient that does not go from straight down to straight up");
-  if (any(scene.lights, [](const Light& light) { return light.linear_edge; }))
-    complain("a spot light with a linear edge");
-  if (any(scene.materials, [](const Material& m) { return !m.casts_shadow; }))
-    complain("a material that casts no shadow");
-  if (any(scene.textures, [](const Texture& t) { return t.mapping > TextureMapping::uv; }))
-    complain("a texture that is rolled round an axis");
-  if (any(scene.textures, [](const Texture& t) {
-        return t.kind == TextureKind::image && t.file.empty() && t.image != nullptr;
-      }))
+  if (std::any_of(scene.textures.begin(), scene.textures.end(), in_no_file))
     complain("an image that is in no file of its own");
 }
 

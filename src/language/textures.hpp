@@ -69,6 +69,8 @@ namespace texture_fields {
 inline constexpr Choice kMappings[] = {
     {"solid", "at the point in space, which the shape's transform moves"},
     {"uv", "at the surface's u and v"},
+    {"cylinder", "rolled round the y axis: at the angle and the height of the point in space"},
+    {"sphere", "rolled round the y axis: at the longitude and the latitude of the point in space"},
 };
 inline constexpr Choice kWraps[] = {
     {"repeat", "it once more"},

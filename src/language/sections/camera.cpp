@@ -19,6 +19,7 @@ struct Entry {
   Vec3 eye{0, 0, 5}, look_at, up{0, 1, 0};
   std::optional<Window> window;
   double fov_deg = 40, height = 5;
+  double longitude_deg = Camera{}.longitude_deg, latitude_deg = Camera{}.latitude_deg;
   double aperture = 0;
   std::optional<Vec3> focus;
   std::optional<double> focus_distance;
@@ -145,6 +146,8 @@ void put_round(const Entry& entry, CameraKind kind, std::string_view what, Item&
   if (!camera) return;
   camera->kind = kind;
   if (kind == CameraKind::fisheye) camera->fov_deg = entry.fov_deg;
+  camera->longitude_deg = entry.longitude_deg;
+  camera->latitude_deg = entry.latitude_deg;
   item.input.scene.camera = *camera;
 }
 void put_fisheye(FisheyeEntry& entry, Item& item) {
@@ -242,6 +245,12 @@ constexpr Field kPanoramaFields[] = {
     look_at_field(),
     up(),
     window("in the place of look_at and up, a rectangle whose directions say where it looks"),
+    field<&Entry::longitude_deg>(
+        "longitude_deg",
+        {.text = "how far round it sees", .unit = Unit::degrees, .range = {0, 360, true, false}}),
+    field<&Entry::latitude_deg>("latitude_deg", {.text = "how much it sees from below to above",
+                                                 .unit = Unit::degrees,
+                                                 .range = {0, 180, true, false}}),
 };
 
 constexpr Kind kPerspective = kind_of<Entry, put_perspective>(
@@ -294,6 +303,8 @@ void write(Output& output) {
   entry.eye = camera.eye;
   entry.window = Window{camera.window_center, camera.window_right, camera.window_up};
   entry.fov_deg = camera.fov_deg;
+  entry.longitude_deg = camera.longitude_deg;
+  entry.latitude_deg = camera.latitude_deg;
   entry.aperture = camera.aperture;
   if (camera.aperture > 0 || camera.focus_distance != Camera{}.focus_distance)
     entry.focus_distance = camera.focus_distance;

@@ -94,6 +94,9 @@ constexpr Field kSpotFields[] = {
         "outer_deg", {.text = "the angle from its axis beyond which it is dark, smooth between",
                       .unit = Unit::degrees,
                       .range = {0, 180, true, false}}),
+    field<&Light::linear_edge>(
+        "linear_edge",
+        {.text = "between the two angles the light falls in proportion to the angle"}),
     color(),
     attenuation()};
 constexpr Kind kSpot =

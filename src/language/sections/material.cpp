@@ -173,6 +173,8 @@ constexpr Field kFields[] = {
                                  {.text = "short for ior and dispersion of a material that is "
                                           "known by its name, in any case",
                                   .unit = Unit::name_of_glass}),
+    field<&Material::casts_shadow, MaterialEntry>(
+        "casts_shadow", {.text = "whether it stands in the way of light"}),
     table_field<&MaterialEntry::bump, kBump>(
         "bump", {.text = "a texture that bends the normal by its height"}),
     table_field<&MaterialEntry::normal_map, kNormalMap>("normal_map",
