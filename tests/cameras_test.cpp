@@ -196,6 +196,15 @@ TEST(Panorama, HasAllDirectionsWhereMapsHaveThem) {
               {0, std::sqrt(0.5), -std::sqrt(0.5)});  // a quarter: 45° up
 }
 
+TEST(Panorama, MayShowAPart) {
+  Camera part = camera_of(CameraKind::panorama);
+  part.longitude_deg = 90, part.latitude_deg = 60, part.latitude_middle_deg = 30;
+  const FrozenCamera<double> camera = frozen(part, kSize);
+  expect_near(ray_at(camera, kMiddleColumn, 19.5).direction, {0, 0, -1});
+  expect_near(ray_at(camera, kMiddleColumn, -0.5).direction, {0, std::sqrt(0.75), -0.5});
+  expect_near(ray_at(camera, 39.5, 19.5).direction, {std::sqrt(0.5), 0, -std::sqrt(0.5)});
+}
+
 /// What render() says of a scene with this camera; "" if it renders.
 std::string answer(const Camera& camera) {
   Scene scene = lab_scene(4);

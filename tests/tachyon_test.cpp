@@ -237,11 +237,11 @@ TEST(Tachyon, ImagesInTheFileAreLaidOntoPlanes) {
                         "UAXIS 1 0 0 VAXIS 0 1 0\n");
   ASSERT_EQ(s.textures.size(), 1u);
   const Image& image = *s.textures[0].image;
-  // Tachyon goes from the middle of the first texel to that of the last, and blends between.
-  ASSERT_EQ(image.width, 128u);
+  ASSERT_EQ(image.width, 3u);
   EXPECT_EQ(image.row(0)[0], 1.0f);
-  EXPECT_EQ(image.row(0)[3 * 32], 0.5f);
-  EXPECT_EQ(image.row(0)[3 * 64 + 1], 1.0f);
+  EXPECT_EQ(image.row(0)[3 + 1], 1.0f);
+  EXPECT_EQ(s.textures[0].filter, TextureFilter::distance);
+  EXPECT_EQ(s.textures[0].reach, 20);
 }
 
 TEST(Tachyon, WhatIsLeftOutIsSaidWithItsLine) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <zraka/render.hpp>
 
 #include "texture_places.hpp"
 #include "textures/pyramid.hpp"
@@ -254,6 +255,57 @@ TEST(TextureSet, CountsTheMemoryOfSmallerImages) {
   const std::uint64_t texels = 32 * 16 + 16 * 8 + 8 * 4 + 4 * 2 + 2 + 1;
   EXPECT_EQ(TextureSet({texture_of_image(image, TextureFilter::mip)}).bytes(), texels * 12);
   EXPECT_TRUE(TextureSet().empty());
+}
+
+/// Columns of 0, 80, 160 and 240.
+std::shared_ptr<const Image> four_columns() {
+  Image image(4, 4);
+  for (std::uint32_t y = 0; y < 4; ++y)
+    for (std::uint32_t x = 0; x < 4; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        image.row(y)[std::size_t{3} * x + c] = static_cast<float>(80 * x) / 255;
+  return std::make_shared<const Image>(std::move(image));
+}
+
+TEST(ImagesByDistance, AreTakenFromSmallerOnes) {
+  Texture texture = texture_of_image(four_columns(), TextureFilter::distance);
+  texture.reach = 10;
+  const TextureSet set({texture});
+  const auto value = [&](double u, double distance) {
+    TexturePoint at;
+    at.u = u, at.v = 0.3;
+    at.distance = distance;
+    return set.value(0, at).x * 255;
+  };
+  // Of a level the first and the last column stand at 0 and 1.
+  EXPECT_NEAR(value(0, 0), 0, 1e-4);
+  EXPECT_NEAR(value(0.5, 0), 120, 1e-4);
+  EXPECT_NEAR(value(1 - 1e-9, 0), 240, 1e-4);
+  EXPECT_NEAR(value(1, 0), 0, 1e-4);
+  // The next has 40 and 200, the last one 120; three levels are spread over the reach.
+  EXPECT_NEAR(value(0, 2), 0.2 * 2.0001 * 40, 1e-3);
+  EXPECT_NEAR(value(0.25, 2), 60 + 0.2 * 2.0001 * (80 - 60), 1e-3);
+  EXPECT_NEAR(value(0.25, 6), 120, 1e-4) << "the last but one is not looked at";
+  EXPECT_NEAR(value(0.25, 100), 120, 1e-4);
+}
+
+TEST(ImagesByDistance, SeeTheWholeWayFromTheEye) {
+  // A mirror at z = 0 shows a wall at z = 6 to an eye at z = 4: 10 units of way.
+  Scene scene;
+  scene.resolution = {3, 3};
+  scene.camera = {{0, 0, 4}, {0, 0, 0}, {0.001, 0, 0}, {0, 0.001, 0}};
+  scene.ambient_light = {1, 1, 1};
+  scene.materials = {{.ambient = {}, .diffuse = {}, .reflection = 1}, {.ambient = {1, 1, 1}}};
+  scene.parallelograms = {{Parallelogram{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}}, 0},
+                          {Parallelogram{{-3, -3, 6}, {6, 0, 0}, {0, 6, 0}}, 1}};
+  Texture texture = texture_of_image(four_columns(), TextureFilter::distance);
+  texture.mapping = TextureMapping::solid;  // the wall's middle is the picture's left edge
+  texture.reach = 40;
+  scene.textures = {texture};
+  scene.materials[1].textures = {{Coefficient::ambient, 0}};
+  const Result<Rendering> rendering = render(scene);
+  ASSERT_TRUE(rendering);
+  EXPECT_NEAR(rendering->image.row(1)[3] * 255, 0.25 * 2.0001 * 40, 0.1);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ struct Camera {
   double fov_deg = 180;  ///< fisheye: the angle of view over the picture's height
   /// panorama: the degrees of longitude and of latitude that it shows, around the view.
   double longitude_deg = 360, latitude_deg = 180;
+  double latitude_middle_deg = 0;  ///< panorama: the latitude of its middle row, up from the view
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 

@@ -38,9 +38,10 @@ enum class TextureKind : std::uint8_t { ZRAKA_TEXTURES(ZRAKA_ENUMERATE) };
 enum class TextureMapping : std::uint8_t { solid, uv, cylinder, sphere };
 /// What is beyond the end of an image or a gradient: it once more, its edge, or its mirror image.
 enum class TextureWrap : std::uint8_t { repeat, clamp, mirror };
-/// How an image is looked up: the texel, what lies between the four around, or the mean over what a
-/// pixel sees, from the image in smaller and smaller sizes.
-enum class TextureFilter : std::uint8_t { nearest, bilinear, mip };
+/// How an image is looked up: the texel, what lies between the four around, the mean over what a
+/// pixel sees, from the image in smaller and smaller sizes; or as Tachyon does, from smaller ones
+/// the farther the way from the eye is.
+enum class TextureFilter : std::uint8_t { nearest, bilinear, mip, distance };
 
 /// One texture; each kind uses what it needs of it. Colours of one kind take turns from the first
 /// on, a checker has the first two.
@@ -67,6 +68,9 @@ struct Texture {
   Transfer transfer = Transfer::srgb;
   TextureWrap wrap = TextureWrap::repeat;     ///< of images and gradients
   TextureFilter filter = TextureFilter::mip;  ///< of images
+  /// filter distance: from where on an image is a single pixel; of cylinder and sphere in units of
+  /// a point's distance from the texture's origin. Greater than 0.
+  double reach = 20;
 };
 
 /// A quantity of a material that a texture may give.

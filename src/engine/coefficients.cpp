@@ -235,7 +235,10 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
     const double width = static_cast<double>(level.rays.width[begin + ray]) +
                          static_cast<double>(level.rays.spread[begin + ray]) *
                              static_cast<double>(scratch.t[ray]);
-    const Seen seen = look(scene, scratch.paths[h], point, normal, view, width);
+    Seen seen = look(scene, scratch.paths[h], point, normal, view, width);
+    seen.detail.at.distance = (static_cast<double>(level.rays.travelled[begin + ray]) +
+                               static_cast<double>(scratch.t[ray])) /
+                              scene.frame_scale;
     scratch.details[h] = seen.detail;
     for (std::int32_t i = 0; i < its.use_count; ++i)
       put(its.uses[i].coefficient, textures.set->value(its.uses[i].texture, seen.detail.at), row);
@@ -270,6 +273,7 @@ void spread_cones(const Level<R>& level, const Scratch<R>& scratch, Level<R>& ne
       if (child < 0) return;
       next.rays.width[child] = static_cast<R>(detail.width);
       next.rays.spread[child] = static_cast<R>(wide);
+      next.rays.travelled[child] = level.rays.travelled[ray] + scratch.t[level.hits.ray[h]];
     };
     put(level.hits.reflected[h], spread + 2 * turn);
     const auto ratio = static_cast<double>(row[inside ? kRatioOut : kRatioIn]);
@@ -296,6 +300,7 @@ void start_cones(const FrozenCamera<R>& camera, Level<R>& level) {
     const double cosine = std::fabs(dot(d, normal)) / area;
     level.rays.width[i] = R(0);
     level.rays.spread[i] = static_cast<R>(spread * cosine * std::sqrt(cosine));
+    level.rays.travelled[i] = R(0);
   }
 }
 

@@ -56,9 +56,9 @@ struct RayArrays {
   R *dx, *dy, *dz;  ///< direction, unit length
   R *r, *g, *b;     ///< colour, once it is known
   /// The cone around a ray that holds what its pixel sees (Amanatides, "Ray Tracing with Cones",
-  /// 1984): how wide it is at the origin and how much it widens per unit, both with a sign; nullptr where the scene
-  /// has no textures.
-  R *width, *spread;
+  /// 1984): how wide it is at the origin and how much it widens per unit, both with a sign; and how
+  /// far the way from the eye to the origin is. nullptr where the scene has no textures.
+  R *width, *spread, *travelled;
 };
 
 /// What the fold needs of the hits of one batch. Structure of arrays, batch values each.

@@ -133,12 +133,12 @@ void TachyonReader::set_camera() {
     camera.kind = CameraKind::panorama;
     camera.longitude_deg = std::fabs(other - left) * kDegrees;
     camera.latitude_deg = std::fabs(top - bottom) * kDegrees;
-    const double turn = across, tilt = above;
-    const Vec3 level = sum(scaled(view, std::cos(turn)), scaled(right, std::sin(turn)));
-    const Vec3 ahead = sum(scaled(level, std::cos(tilt)), scaled(up, std::sin(tilt)));
+    camera.latitude_middle_deg = above * kDegrees;
+    const double turn = across;
+    const Vec3 ahead = sum(scaled(view, std::cos(turn)), scaled(right, std::sin(turn)));
     camera.window_center = sum(center_, ahead);
     camera.window_right = unit(sum(scaled(right, std::cos(turn)), scaled(view, -std::sin(turn))));
-    camera.window_up = unit(sum(scaled(up, std::cos(tilt)), scaled(level, -std::sin(tilt))));
+    camera.window_up = up;
   }
 }
 

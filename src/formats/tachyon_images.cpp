@@ -19,40 +19,11 @@ unsigned hex_digit(char c) {
   return 16;
 }
 
-/// Texels in place of which there are more, so that what lies between the last and the first, where
-/// Tachyon shows nothing, is small.
-struct Finer {
-  std::uint32_t parts, count;
-  explicit Finer(std::uint32_t texels)
-      : parts(std::clamp(256 / std::max(texels - 1, 1u), 1u, 64u)),
-        count(texels > 1 ? (texels - 1) * parts : 1) {}
-};
-
-/// The image whose texels' middles, repeated, blend to what Tachyon blends between those of
-/// another.
-Image between_middles(const Image& whole) {
-  const Finer across(whole.width), down(whole.height);
-  Image image(across.count, down.count);
-  for (std::uint32_t y = 0; y < down.count; ++y) {
-    const std::uint32_t row = y / down.parts;
-    const auto below = static_cast<float>(y % down.parts) / static_cast<float>(down.parts);
-    const float* const upper = whole.row(row);
-    const float* const lower = whole.row(std::min(row + 1, whole.height - 1));
-    for (std::uint32_t x = 0; x < across.count; ++x) {
-      const std::size_t left = std::size_t{3} * (x / across.parts);
-      const std::size_t right = std::min(left + 3, std::size_t{3} * (whole.width - 1));
-      const auto aside = static_cast<float>(x % across.parts) / static_cast<float>(across.parts);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const float a = upper[left + k] + aside * (upper[right + k] - upper[left + k]);
-        const float b = lower[left + k] + aside * (lower[right + k] - lower[left + k]);
-        image.row(y)[std::size_t{3} * x + k] = a + below * (b - a);
-      }
-    }
-  }
-  return image;
-}
-
 }  // namespace
+
+bool TachyonReader::is_targa(const std::string& name) {
+  return name.ends_with(".tga") || name.ends_with(".TGA");
+}
 
 Result<Image> TachyonReader::read_picture(const std::string& name) {
   const Result<std::shared_ptr<const Image>> read = images_.load(name, Transfer::linear);
@@ -109,8 +80,7 @@ std::shared_ptr<const Image> TachyonReader::image_named(const char* at, const st
                      shown(name)));
     return nullptr;
   } else {
-    const bool is_targa = name.ends_with(".tga") || name.ends_with(".TGA");
-    Result<Image> read = is_targa ? read_targa(name) : read_picture(name);
+    Result<Image> read = is_targa(name) ? read_targa(name) : read_picture(name);
     if (!read) {
       warn(at,
            fmt::format("{} cannot be read, and white is drawn: {}", shown(name),
@@ -120,7 +90,7 @@ std::shared_ptr<const Image> TachyonReader::image_named(const char* at, const st
     }
     whole = std::move(*read);
   }
-  kept = std::make_shared<const Image>(between_middles(whole));
+  kept = std::make_shared<const Image>(std::move(whole));
   return kept;
 }
 

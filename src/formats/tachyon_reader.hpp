@@ -139,6 +139,7 @@ class TachyonReader {
   bool read_imagedef();
   /// The first row is where v is 0.
   std::shared_ptr<const Image> image_named(const char* at, const std::string& name, int slice);
+  static bool is_targa(const std::string& name);
   Result<Image> read_picture(const std::string& name);
   Result<Image> read_targa(const std::string& name);
 

@@ -188,11 +188,14 @@ bool TachyonReader::read_image_pattern(int function, TachyonSurface& s) {
   if (function >= 9 && (!vector_of("UAXIS", u_axis) || !vector_of("VAXIS", v_axis))) return false;
   if (function == 10 && !vector_of("WAXIS", w_axis)) return false;
   int slice = 0;
+  bool is_volume = false;
   if (function == 10) {
     const double depth = rotate.z - std::trunc(rotate.z) + (rotate.z < 0 ? 1 : 0);
     const auto defined = definitions_.find(name);
-    if (defined != definitions_.end())
+    if (defined != definitions_.end()) {
       slice = static_cast<int>((defined->second.size[2] - 1.0) * depth);
+      is_volume = defined->second.size[2] > 1;
+    }
     if (dot(w_axis, w_axis) * scale.z * scale.z > 0)
       warn(at, "TEXFUNC 10 has the same slice of its image everywhere");
   }
@@ -210,18 +213,22 @@ bool TachyonReader::read_image_pattern(int function, TachyonSurface& s) {
   Texture t;
   t.kind = TextureKind::image;
   t.image = image;
+  if (!is_targa(name) && definitions_.find(name) == definitions_.end()) t.file = name;
   t.transfer = Transfer::linear;
-  t.filter = TextureFilter::bilinear;
-  // Tachyon's v goes down, and begins in the middle of a texel.
-  const double half_u = 0.5 / image->width, half_v = 0.5 / image->height;
+  t.filter = TextureFilter::distance;
+  // Rolled images are a single pixel at 160 times a point's distance from their centre, by scales.
+  const double most = std::fmax(std::fabs(scale.x), std::fabs(scale.y));
+  t.reach = (function == 7 || function == 8 ? 160 : 20) / most;
+  if (is_volume || !(most > 0)) t.reach = 1e30;  // has no smaller ones
+  // Tachyon's v goes down.
   if (function == 7 || function == 8) {
     t.mapping = function == 7 ? TextureMapping::cylinder : TextureMapping::sphere;
     t.transform.origin = center;
-    t.repeat_u = scale.x, t.offset_u = rotate.x + half_u;
-    t.repeat_v = -scale.y, t.offset_v = 1 - rotate.y - half_v;
+    t.repeat_u = scale.x, t.offset_u = rotate.x;
+    t.repeat_v = -scale.y, t.offset_v = 1 - rotate.y;
   } else {
-    const auto map = plane_map(scaled(u_axis, scale.x), scaled(v_axis, -scale.y), center,
-                               rotate.x + half_u, 1 - rotate.y - half_v);
+    const auto map = plane_map(scaled(u_axis, scale.x), scaled(v_axis, -scale.y), center, rotate.x,
+                               1 - rotate.y);
     if (!map) {
       warn(at, "UAXIS and VAXIS of a texture are parallel, or it has no SCALE: white is drawn");
       pattern_of_.erase(known);

@@ -110,6 +110,20 @@ constexpr Field mapping() {
   return field<&Texture::mapping>("mapping",
                                   {.text = "where it is looked up", .choices = kMappings});
 }
+constexpr Field repeat_u() {
+  return field<&Texture::repeat_u>("repeat_u",
+                                   {.text = "of cylinder and sphere: how often it goes round"});
+}
+constexpr Field repeat_v() {
+  return field<&Texture::repeat_v>("repeat_v",
+                                   {.text = "the same upwards: per unit, or from pole to pole"});
+}
+constexpr Field offset_u() {
+  return field<&Texture::offset_u>("offset_u", {.text = "from how far on it goes round"});
+}
+constexpr Field offset_v() {
+  return field<&Texture::offset_v>("offset_v", {.text = "the same upwards"});
+}
 constexpr Field transform() {
   return field<&Texture::transform>(
       "transform",

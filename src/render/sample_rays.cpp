@@ -85,6 +85,7 @@ void SampleRays<R>::put_cone(const PicturePoint& point, const CameraRay& ray,
   const CameraCone cone = camera_cone(camera_, point, ray);
   rays.width[index] = static_cast<R>(cone.width * cone_scale_);
   rays.spread[index] = static_cast<R>(cone.spread * cone_scale_);
+  rays.travelled[index] = R(0);
 }
 
 template <class R>

@@ -56,7 +56,7 @@ void place_all(Layout& layout, Level<R>* levels, Workspace<R>& workspace,
     HitArrays<R>& hits = levels[i].hits;
     layout.place(batch, hits.r, hits.g, hits.b, hits.reflection, hits.refraction);
     layout.place(batch, hits.ray, hits.reflected, hits.refracted);
-    if (needs.textured) layout.place(rays_of_level, rays.width, rays.spread);
+    if (needs.textured) layout.place(rays_of_level, rays.width, rays.spread, rays.travelled);
   }
 }
 

@@ -99,6 +99,7 @@ FrozenCamera<R> freeze_camera(const Scene& scene, const Profile& profile, const 
   frozen.step_right = all_round ? radians(camera.longitude_deg) / width : frozen.step_down;
   frozen.angle_right = frozen.step_right * (in_pixel - width / 2);
   frozen.angle_down = frozen.step_down * (in_pixel - height / 2);
+  if (all_round) frozen.angle_down -= radians(camera.latitude_middle_deg);
   return frozen;
 }
 

@@ -112,19 +112,55 @@ V3<double> filtered(const PreparedTexture& t, const TexturePlace& at) {
   return sum * (1 / probes);
 }
 
+/// Between the four texels around, where the first and the last stand at 0 and 1; it begins
+/// anew with the first row.
+V3<double> between_corners(const Image& image, double u, double v) {
+  const double x = folded(u, TextureWrap::repeat) * (image.width - 1);
+  const double y = folded(1 - v, TextureWrap::repeat) * (image.height - 1);
+  const double i = std::floor(x), j = std::floor(y), right = x - i, below = y - j;
+  const auto i0 = static_cast<std::uint32_t>(i), j0 = static_cast<std::uint32_t>(j);
+  const std::uint32_t i1 = std::min(i0 + 1, image.width - 1);
+  const std::uint32_t j1 = std::min(j0 + 1, image.height - 1);
+  const auto at = [&](std::uint32_t column, std::uint32_t row) {
+    return texel(image, column, image.height - 1 - row);
+  };
+  const V3<double> upper = at(i0, j0) * (1 - right) + at(i1, j0) * right;
+  const V3<double> lower = at(i0, j1) * (1 - right) + at(i1, j1) * right;
+  return upper * (1 - below) + lower * below;
+}
+
+/// As Tachyon has it: from the two levels that the way from the eye is between, of the last but one
+/// from the last.
+V3<double> by_distance(const PreparedTexture& t, const TexturePlace& at) {
+  const double share = std::clamp(at.distance / (t.reach * at.away), 0.0, 1.0);
+  const std::size_t levels = t.pyramid->levels();
+  const double level = share * (static_cast<double>(levels) - 0.9999);
+  const auto fine = static_cast<std::size_t>(level);
+  const auto look = [&](std::size_t i) {
+    return between_corners(t.pyramid->level(i), at.point.x, at.point.y);
+  };
+  if (fine + 2 >= levels) return look(levels - 1);
+  const double coarser = level - std::floor(level);
+  return look(fine) * (1 - coarser) + look(fine + 1) * coarser;
+}
+
 TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
   if (t.pyramid == nullptr) return {};
   if (t.filter == TextureFilter::nearest)
     return nearest(sheet_of(t, at, 0), at.point.x, at.point.y);
   if (t.filter == TextureFilter::bilinear)
     return bilinear(sheet_of(t, at, 0), at.point.x, at.point.y);
+  if (t.filter == TextureFilter::distance) return by_distance(t, at);
   return filtered(t, at);
 }
 
 void prepare(const Texture& described, PreparedTexture& texture) {
   const std::shared_ptr<const Image>& image = described.image;
   if (image == nullptr || image->width == 0 || image->height == 0) return;
-  texture.pyramid = std::make_shared<Pyramid>(image, texture.filter == TextureFilter::mip);
+  texture.pyramid =
+      std::make_shared<Pyramid>(texture.filter == TextureFilter::distance
+                                    ? Pyramid::of_bytes(image)
+                                    : Pyramid(image, texture.filter == TextureFilter::mip));
   texture.finest = {0.5 / image->width, 0.5 / image->height, 1};
 }
 

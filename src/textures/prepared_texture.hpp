@@ -34,6 +34,7 @@ struct PreparedTexture {
   std::uint32_t seed = 0;
   TextureWrap wrap = TextureWrap::repeat;
   TextureFilter filter = TextureFilter::mip;
+  double reach = 1;
 
   // What a kind's prepare() makes.
   Ramp ramp;
@@ -51,6 +52,9 @@ struct TexturePlace {
   V3<double> point{};
   V3<double> axes[2]{};
   double error = 0;
+  double distance = 0;  ///< from the eye, in the scene's unit
+  /// Of what is rolled: of the point from the texture's origin, in its unit; else 1.
+  double away = 1;
   bool v_ends = false;  ///< v goes from 0 to 1 and no further, for the texture as well
 };
 

@@ -2,6 +2,7 @@
 #include "textures/pyramid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/in_parallel.hpp"
@@ -57,6 +58,36 @@ Image halved(const Image& image) {
   };
   in_parallel(half.height, rows, 1 + (1 << 16) / half.width);
   return half;
+}
+
+namespace {
+
+Image halved_bytes(const Image& image) {
+  Image half(std::max(image.width / 2, 1u), std::max(image.height / 2, 1u));
+  const std::uint32_t right = image.width > 1 ? 1 : 0, below = image.height > 1 ? 1 : 0;
+  const auto byte_at = [&](std::uint32_t x, std::uint32_t y, std::size_t c) {
+    return std::lround(static_cast<double>(image.row(y)[std::size_t{3} * x + c]) * 255);
+  };
+  for (std::uint32_t y = 0; y < half.height; ++y)
+    for (std::uint32_t x = 0; x < half.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::uint32_t i = (1 + right) * x, j = (1 + below) * y;
+        const long sum = byte_at(i, j, c) + byte_at(i + right, j, c) + byte_at(i, j + below, c) +
+                         byte_at(i + right, j + below, c);
+        half.row(y)[std::size_t{3} * x + c] = static_cast<float>(sum / 4) / 255.0f;
+      }
+  return half;
+}
+
+}  // namespace
+
+Pyramid Pyramid::of_bytes(std::shared_ptr<const Image> image) {
+  Pyramid pyramid(std::move(image), false);
+  for (;;) {
+    const Image& last = pyramid.level(pyramid.levels() - 1);
+    if (last.width <= 1 && last.height <= 1) return pyramid;
+    pyramid.smaller_.push_back(halved_bytes(last));
+  }
 }
 
 Pyramid::Pyramid(std::shared_ptr<const Image> image, bool smaller) : image_(std::move(image)) {

@@ -13,6 +13,9 @@ class Pyramid {
  public:
   /// Down to one pixel, or the image alone. It has pixels.
   Pyramid(std::shared_ptr<const Image> image, bool smaller);
+  /// The same with levels of whole 255ths, rounded down, of which each pixel is the mean of four;
+  /// what is left over at odd sizes is left out.
+  static Pyramid of_bytes(std::shared_ptr<const Image> image);
 
   std::size_t levels() const { return 1 + smaller_.size(); }
   /// 0 is the image itself; each level has half the width and height before, rounded down, 1 or

@@ -17,6 +17,7 @@ struct TexturePoint {
   /// How far rounding may have moved the point: what lies so close below a face between two cells
   /// counts to the cell above, so that a wall that stands on such a face is no salt and pepper.
   double error = 0;
+  double distance = 0;  ///< of the way from the eye, over all mirrors, in the scene's unit
   /// v goes from 0 to 1 and not round, as on a sphere: images that fit do not repeat at its ends.
   bool v_ends = false;
 };

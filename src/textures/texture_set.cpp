@@ -81,6 +81,7 @@ PreparedTexture prepared(const Texture& from) {
   t.seed = from.seed;
   t.wrap = from.wrap;
   t.filter = from.filter;
+  t.reach = from.reach > 0 ? from.reach : 1;
 
   t.finest = V3<double>{1, 1, 1} * (t.size / 64);
   if (const auto prepare = code_of(t).prepare) prepare(from, t);
@@ -108,6 +109,7 @@ void roll(const PreparedTexture& t, TexturePlace& place) {
   double v = p.y;
   if (sphere) v = all > 0 ? 0.5 + elementary::asin(std::fmin(std::fmax(p.y / std::sqrt(all), -1.0), 1.0)) / kPi : 0.5;
   place.point = finite_point(repeated(t, u, v));
+  place.away = std::sqrt(all);
   for (V3<double>& axis : place.axes) {
     const double along_u =
         round > 0 ? (p.x * axis.z - p.z * axis.x) / (round * 2 * kPi) : kHuge;
@@ -121,6 +123,7 @@ void roll(const PreparedTexture& t, TexturePlace& place) {
 
 TexturePlace place_of(const PreparedTexture& t, const TexturePoint& at) {
   TexturePlace place;
+  place.distance = at.distance;
   if (t.mapping == TextureMapping::uv) {
     place.point = finite_point(t.into.point({at.u, at.v, 0}));
     for (int i = 0; i < 2; ++i)

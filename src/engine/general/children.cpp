@@ -70,7 +70,8 @@ Bend bend_at(const Batch<R>& batch, std::size_t h, double cosine, double um) {
   }
   bend.ratio = bend.n1 / bend.n2;
   bend.quarter_d = bend.ratio * bend.ratio * cosine * cosine - bend.ratio * bend.ratio + 1;
-  if (material.fresnel == Fresnel::exact) bend.fresnel = fresnel_exact(std::fabs(cosine), bend.ratio);
+  if (material.fresnel == Fresnel::exact)
+    bend.fresnel = fresnel_exact(std::fabs(cosine), bend.ratio);
   if (material.fresnel == Fresnel::schlick)
     bend.fresnel = fresnel_schlick(std::fabs(cosine), bend.ratio);
   return bend;
@@ -89,12 +90,12 @@ class Spawner {
     const RayState<R>& parent = batch_.ray_of(h);
     const V3<R> weight = parent.weight * hit.transmittance * share;
     const TraceSettings& settings = batch_.settings;
-    const double most = static_cast<double>(most_of(
-        V3<R>{std::fabs(weight.x), std::fabs(weight.y), std::fabs(weight.z)}));
+    const double most = static_cast<double>(
+        most_of(V3<R>{std::fabs(weight.x), std::fabs(weight.y), std::fabs(weight.z)}));
     if (settings.min_contribution > 0 && most * settings.brightest < settings.min_contribution) {
       const auto brightest = static_cast<R>(settings.brightest);
-      hit.missing = hit.missing + V3<R>{std::fabs(share.x), std::fabs(share.y), std::fabs(share.z)} *
-                                      brightest;
+      hit.missing = hit.missing +
+                    V3<R>{std::fabs(share.x), std::fabs(share.y), std::fabs(share.z)} * brightest;
       ++batch_.counts.cut;
       return false;
     }
@@ -150,7 +151,8 @@ void spawn_at(const Batch<R>& batch, std::size_t h, Spawner<R>& spawner, Level<R
   hit.ratio = hit.n1 = hit.n2 = 1;
   hit.refracts = !is_zero(refraction);
   const Wavelengths& waves = settings.wavelengths;
-  const bool split = hit.refracts && ray.wavelength < 0 && material.is_dispersive() && waves.count > 1;
+  const bool split =
+      hit.refracts && ray.wavelength < 0 && material.is_dispersive() && waves.count > 1;
   hit.split = split;
 
   // The parts of the light that go in, each with its share.
@@ -168,8 +170,9 @@ void spawn_at(const Batch<R>& batch, std::size_t h, Spawner<R>& spawner, Level<R
       const Bend bend = bend_at(batch, h, cosine, wavelength < 0 ? 0.0 : waves.um[wavelength]);
       V3<R> share = refraction;
       if (split)
-        share = share * V3<R>{static_cast<R>(waves.weight[i][0]), static_cast<R>(waves.weight[i][1]),
-                              static_cast<R>(waves.weight[i][2])};
+        share =
+            share * V3<R>{static_cast<R>(waves.weight[i][0]), static_cast<R>(waves.weight[i][1]),
+                          static_cast<R>(waves.weight[i][2])};
       if (i == ways / 2) {
         hit.ratio = bend.ratio, hit.quarter_d = bend.quarter_d, hit.fresnel = bend.fresnel;
         hit.n1 = bend.n1, hit.n2 = bend.n2;
@@ -217,7 +220,8 @@ void spawn(const Batch<R>& batch, Level<R>& next, RayState<R>* next_rays) {
     HitState<R>& hit = batch.hits[h];
     level.hits.reflected[h] = level.hits.refracted[h] = -1;
     for (std::int32_t c = hit.first_child; c < hit.first_child + hit.child_count; ++c)
-      (next_rays[c].kind == RayKind::reflected ? level.hits.reflected : level.hits.refracted)[h] = c;
+      (next_rays[c].kind == RayKind::reflected ? level.hits.reflected : level.hits.refracted)[h] =
+          c;
   }
   if (batch.scene.textures == nullptr) return;
   spread_cones(level, batch.scratch, next);
@@ -227,7 +231,8 @@ void spawn(const Batch<R>& batch, Level<R>& next, RayState<R>* next_rays) {
     const std::int32_t of = level.hits.refracted[h];
     for (std::int32_t c = hit.first_child; c < of; ++c)
       if (next_rays[c].kind == RayKind::refracted)
-        next.rays.width[c] = next.rays.width[of], next.rays.spread[c] = next.rays.spread[of];
+        next.rays.width[c] = next.rays.width[of], next.rays.spread[c] = next.rays.spread[of],
+        next.rays.travelled[c] = next.rays.travelled[of];
   }
 }
 

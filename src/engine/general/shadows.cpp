@@ -58,7 +58,8 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
         level.rays.dx[i] = static_cast<R>(walk.direction.x);
         level.rays.dy[i] = static_cast<R>(walk.direction.y);
         level.rays.dz[i] = static_cast<R>(walk.direction.z);
-        if (batch.scene.textures != nullptr) level.rays.width[i] = level.rays.spread[i] = R(0);
+        if (batch.scene.textures != nullptr)
+          level.rays.width[i] = level.rays.spread[i] = level.rays.travelled[i] = R(0);
       }
       level.ray_count = level.in_batch = static_cast<std::int32_t>(n);
       level.done = 0;
@@ -195,7 +196,7 @@ void trace_waiting(const Batch<R>& batch) {
   walk_through(batch, walks);
 }
 
-#define ZRAKA_FOR(R)                                \
+#define ZRAKA_FOR(R)                                  \
   template void find_shadow_origins(const Batch<R>&); \
   template void find_blocked(const Batch<R>&);        \
   template void trace_waiting(const Batch<R>&);

@@ -20,6 +20,7 @@ struct Entry {
   std::optional<Window> window;
   double fov_deg = 40, height = 5;
   double longitude_deg = Camera{}.longitude_deg, latitude_deg = Camera{}.latitude_deg;
+  double latitude_middle_deg = Camera{}.latitude_middle_deg;
   double aperture = 0;
   std::optional<Vec3> focus;
   std::optional<double> focus_distance;
@@ -148,6 +149,7 @@ void put_round(const Entry& entry, CameraKind kind, std::string_view what, Item&
   if (kind == CameraKind::fisheye) camera->fov_deg = entry.fov_deg;
   camera->longitude_deg = entry.longitude_deg;
   camera->latitude_deg = entry.latitude_deg;
+  camera->latitude_middle_deg = entry.latitude_middle_deg;
   item.input.scene.camera = *camera;
 }
 void put_fisheye(FisheyeEntry& entry, Item& item) {
@@ -251,6 +253,10 @@ constexpr Field kPanoramaFields[] = {
     field<&Entry::latitude_deg>("latitude_deg", {.text = "how much it sees from below to above",
                                                  .unit = Unit::degrees,
                                                  .range = {0, 180, true, false}}),
+    field<&Entry::latitude_middle_deg>("latitude_middle_deg",
+                                       {.text = "how far above the view the picture's middle is",
+                                        .unit = Unit::degrees,
+                                        .range = from_to(-90, 90)}),
 };
 
 constexpr Kind kPerspective = kind_of<Entry, put_perspective>(
@@ -305,6 +311,7 @@ void write(Output& output) {
   entry.fov_deg = camera.fov_deg;
   entry.longitude_deg = camera.longitude_deg;
   entry.latitude_deg = camera.latitude_deg;
+  entry.latitude_middle_deg = camera.latitude_middle_deg;
   entry.aperture = camera.aperture;
   if (camera.aperture > 0 || camera.focus_distance != Camera{}.focus_distance)
     entry.focus_distance = camera.focus_distance;

@@ -9,6 +9,10 @@ constexpr Field kFields[] = {
                            2),
     texture_fields::size("the cubes' side"),
     texture_fields::mapping(),
+    texture_fields::repeat_u(),
+    texture_fields::repeat_v(),
+    texture_fields::offset_u(),
+    texture_fields::offset_v(),
     texture_fields::transform(),
 };
 

@@ -10,6 +10,7 @@ constexpr Choice kFilters[] = {
     {"nearest", "the nearest pixel"},
     {"bilinear", "between the four pixels around"},
     {"mip", "the mean over what a pixel of the picture sees"},
+    {"distance", "from a smaller picture the farther the eye is, as Tachyon does"},
 };
 constexpr Choice kTransfers[] = {
     {"linear", "they are light"},
@@ -26,7 +27,16 @@ constexpr Field kFields[] = {
          .choices = kTransfers}),
     texture_fields::wrap("what is beyond its edge"),
     field<&Texture::filter>("filter", {.text = "how it is looked up", .choices = kFilters}),
+    field<&Texture::reach>("reach", {.text = "with the filter distance: from where on the picture "
+                                             "is a single pixel; of cylinder and sphere, in units "
+                                             "of the distance from the texture's origin",
+                                     .unit = Unit::length,
+                                     .range = greater_than(0)}),
     texture_fields::mapping(),
+    texture_fields::repeat_u(),
+    texture_fields::repeat_v(),
+    texture_fields::offset_u(),
+    texture_fields::offset_v(),
     texture_fields::transform(),
 };
 
