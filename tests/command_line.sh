@@ -176,6 +176,10 @@ expect 1 "cannot be made a folder" "$zraka" stages "$scene" -o "$folder/old.png"
 "$zraka" generate letter Đ -o "$folder/letter.txt" || fail "generate letter"
 expect 0 "spheres" "$zraka" info "$folder/letter.txt"
 expect 1 "no visible letter" "$zraka" generate letter " " -o "$folder/none.txt"
+printf '[[light]]\nkind = "directional"\ndirection = [-3, -4, -5]\n[[light]]\nkind = "disc"\ncenter = [1, 2, 3]\n' \
+  >"$folder/lights.toml"
+expect 0 "light       directional, towards (-3, -4, -5)" "$zraka" info "$folder/lights.toml"
+expect 0 "light       disc, at (1, 2, 3)" "$zraka" info "$folder/lights.toml"
 expect 0 '"sphere"' "$zraka" info "$folder/letter.txt" --format json
 
 # Ctrl-C: at once, exit code 130, no half file.

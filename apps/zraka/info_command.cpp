@@ -22,6 +22,10 @@ struct Arguments {
   ReadOptions files;
 };
 
+/// In the order of LightKind.
+constexpr const char* kLightKinds[] = {"point",     "directional", "spot",
+                                       "rectangle", "disc",        "sphere"};
+
 struct Facts {
   std::size_t mirrors = 0, glasses = 0;
   Bounds bounds;
@@ -52,7 +56,12 @@ void print_json(const Scene& scene, const Facts& facts) {
                {"resolution", {scene.resolution.width, scene.resolution.height}},
                {"eye", json_of(scene.camera.eye)}};
   json["lights"] = Json::array();
-  for (const Light& light : scene.lights) json["lights"].push_back(json_of(light.position));
+  for (const Light& light : scene.lights) {
+    const bool far = light.kind == LightKind::directional;
+    json["lights"].push_back(
+        {{"kind", kLightKinds[static_cast<int>(light.kind)]},
+         {far ? "direction" : "position", json_of(far ? light.direction : light.position)}});
+  }
 #define ZRAKA_COUNT(Type, plural) json["shapes"][ShapeTraits<Type>::kName] = scene.plural.size();
   ZRAKA_SHAPES(ZRAKA_COUNT)
 #undef ZRAKA_COUNT
@@ -68,15 +77,30 @@ std::string text_of(const Vec3& v) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z);
 }
 
+void print_light(const Light& light) {
+  const char* const kind = kLightKinds[static_cast<int>(light.kind)];
+  if (light.kind == LightKind::point)
+    fmt::print("light       {}\n", text_of(light.position));
+  else if (light.kind == LightKind::directional)
+    fmt::print("light       {}, towards {}\n", kind, text_of(light.direction));
+  else
+    fmt::print("light       {}, at {}\n", kind, text_of(light.position));
+}
+
 void print_text(const Scene& scene, const Facts& facts) {
   fmt::print("format      {}, drawn with the {} profile\n", scene.format,
              name_of(scene.defaults.profile));
   fmt::print("picture     {} × {} pixels\n", scene.resolution.width, scene.resolution.height);
   fmt::print("eye         {}\n", text_of(scene.camera.eye));
-  for (const Light& light : scene.lights) fmt::print("light       {}\n", text_of(light.position));
-#define ZRAKA_COUNT(Type, plural) fmt::print("{:<11} {}\n", #plural, grouped(scene.plural.size()));
+  for (const Light& light : scene.lights) print_light(light);
+  const auto count = [](const char* what, std::size_t number) {
+    if (number > 0) fmt::print("{:<11} {}\n", what, grouped(number));
+  };
+#define ZRAKA_COUNT(Type, plural) count(#plural, scene.plural.size());
   ZRAKA_SHAPES(ZRAKA_COUNT)
 #undef ZRAKA_COUNT
+  count("groups", scene.groups.size());
+  count("textures", scene.textures.size());
   fmt::print("materials   {}, of which {} reflect and {} refract\n",
              grouped(scene.materials.size()), facts.mirrors, facts.glasses);
   if (!facts.bounds.empty())
