@@ -226,14 +226,14 @@ TEST(Convert, SaysWhatInputTxtLosesAndCannotSay) {
       losses(mixed_scene(), "lab"),
       "error: the course's input.txt format cannot say these lights: it knows one white light\n");
   EXPECT_EQ(losses(scene, "obj"),
-            "error: 'obj' is no format that can be written\n  formats: nff, toml, lab\n");
+            "error: 'obj' is no format that can be written\n  formats: nff, toml, tachyon, povray, lab\n");
 }
 
 TEST(Convert, KnowsFormatsByTheNamesOfFiles) {
   Scene scene = lab_scene();
   add_sphere(scene, {0, 0, 0}, 1, {});
   for (const auto& [file, format] :
-       {std::pair("a.toml", "toml"), {"b.TXT", "lab"}, {"c.nff", "nff"}})
+       {std::pair("a.toml", "toml"), {"b.TXT", "lab"}, {"c.nff", "nff"}, {"d.DAT", "tachyon"}, {"e.pov", "povray"}})
     EXPECT_EQ(write_scene(scene, file).value().text, write_scene(scene, format).value().text);
 }
 

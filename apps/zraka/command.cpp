@@ -142,8 +142,7 @@ Option& Option::propose(std::function<std::vector<std::string>()> values) {
   return *this;
 }
 
-Option& Option::one_of(std::initializer_list<const char*> values) {
-  const std::vector<std::string> known(values.begin(), values.end());
+Option& Option::one_of(const std::vector<std::string>& known) {
   propose([known] { return known; });
   std::string list;
   for (std::size_t i = 0; i < known.size(); ++i)

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -48,7 +47,7 @@ class Option {
   Option& required();
   /// A number from `least` to `most`.
   Option& range(double least, double most);
-  Option& one_of(std::initializer_list<const char*> values);
+  Option& one_of(const std::vector<std::string>& values);
   /// `accepts(value)` has to hold; else the value "is not `what`".
   Option& check(std::string what, std::function<bool(const std::string&)> accepts);
   /// Values that a shell can propose, asked for when it does; others may be right, too.

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "core/new_file.hpp"
 #include "core/text.hpp"
+#include "formats/writers.hpp"
 #include "scene_files.hpp"
 #include "terminal.hpp"
 #include "zraka/zraka.hpp"
@@ -62,14 +63,17 @@ void add_convert(Command& program) {
   Command app = program.add_command("convert", "write a scene in another format");
   app.add("SCENE", &arguments->scene, "the scene file; - reads standard input").required();
   app.add("OUTPUT", &arguments->output, "the file to write; - is standard output").required();
-  app.add("--to", &arguments->format, "toml, nff or lab (input.txt); else by the output's name")
-      .one_of({"toml", "nff", "lab"});
+  std::vector<std::string> keys;
+  for (const SceneWriter& writer : scene_writers()) keys.emplace_back(writer.key);
+  app.add("--to", &arguments->format, "a format (lab is input.txt); else by the output's name")
+      .one_of(keys);
   app.add("-q,--quiet", &arguments->quiet, "say nothing of what the format cannot hold");
   add_allow_outside_to(app, arguments->files);
   app.footer(
       "Examples:\n"
       "  zraka convert scenes/lab/input.txt scene.toml\n"
-      "  zraka convert scene.toml scene.nff");
+      "  zraka convert scene.toml scene.pov && povray +W400 +H400 scene.pov\n"
+      "  zraka convert molecule.pdb - --to tachyon");
   app.action([arguments] { return run(*arguments); });
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene_writer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace zraka::rivals {
 namespace {
@@ -14,7 +17,19 @@ int fail(const Diagnostics& problems) {
 
 }  // namespace
 
-int translate_file(int argc, char** argv, std::string (*translate)(const Scene& scene)) {
+Scene with_corners_for_middles(Scene scene) {
+  const auto stretch = [](Vec3& side, std::uint32_t pixels) {
+    const double more = (pixels + 1.0) / pixels;
+    side = {side.x * more, side.y * more, side.z * more};
+  };
+  stretch(scene.camera.window_right, scene.resolution.width);
+  stretch(scene.camera.window_up, scene.resolution.height);
+  ++scene.resolution.width, ++scene.resolution.height;
+  scene.defaults.profile = ProfileName::physical;
+  return scene;
+}
+
+int translate_file(int argc, char** argv, const char* format, Scene (*adapt)(Scene scene)) {
   const int width = argc == 4 ? std::atoi(argv[3]) : 0;
   if (argc < 3 || argc > 4 || width < 0) {
     fmt::print(stderr, "usage: {} SCENE OUTPUT [WIDTH]\n", argv[0]);
@@ -27,7 +42,9 @@ int translate_file(int argc, char** argv, std::string (*translate)(const Scene& 
     const auto columns = static_cast<std::uint32_t>(width);
     r = {columns, std::max(1u, columns * r.height / r.width)};
   }
-  const Result<void> written = write_text_file(argv[2], translate(read->scene));
+  const Result<WrittenScene> translated = write_scene(adapt(std::move(read->scene)), format);
+  if (!translated) return fail(translated.error());
+  const Result<void> written = write_text_file(argv[2], translated->text);
   return written ? 0 : fail(written.error());
 }
 

@@ -46,8 +46,9 @@ struct WrittenScene {
   Diagnostics losses;
 };
 
-/// A scene in a format: "toml", "nff" or "lab", or a file's name that ends like one of the format.
-/// Fails if the format cannot say where the picture's window is, or has no such shapes or lights.
+/// A scene in a format: "toml", "nff", "tachyon", "povray" or "lab", or a file's name that ends like
+/// one of the format. Fails if the format cannot say where the picture's window is, or has no such
+/// shapes or lights.
 ZRAKA_API Result<WrittenScene> write_scene(const Scene& scene, std::string_view format);
 
 /// Writes text beside `path` and renames it, so that a failure leaves an old file as it was.

@@ -66,6 +66,13 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
+bool ends_with(std::string_view name, std::string_view ending) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return !ending.empty() && name.size() >= ending.size() &&
+         std::equal(ending.begin(), ending.end(), name.end() - std::ssize(ending),
+                    [&](char a, char b) { return a == lower(b); });
+}
+
 std::optional<double> parse_number(std::string_view text) {
   const bool plus = !text.empty() && text.front() == '+';
   if (plus) text.remove_prefix(1);

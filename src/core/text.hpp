@@ -10,6 +10,8 @@
 namespace zraka {
 
 std::string_view trimmed(std::string_view text);
+/// Whether a file's name has an ending, itself in small letters; false for that of "".
+bool ends_with(std::string_view name, std::string_view ending);
 
 /// A whole text as a number: digits with an optional sign, point and exponent. None for anything
 /// else, words for infinity among it; infinite for what is out of range.

@@ -2,15 +2,13 @@
 // The list of scene formats, and how a file finds its own.
 #include "formats/formats.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <iterator>
 
 #include "core/file.hpp"
 #include "core/phrase.hpp"
+#include "core/text.hpp"
 #include "core/unpack.hpp"
 #include "formats/foreign.hpp"
 #include "particles/particles.hpp"
@@ -20,26 +18,18 @@ namespace {
 
 /// Found by the content where it tells, for names can be anything, else by the name's ending.
 constexpr std::array kFormats = {
-    Format{"NFF", "nff", ".nff", std::uint64_t{1} << 36, likeness_to_nff, parse_nff, write_nff},
-    Format{"TOML", "toml", ".toml", std::uint64_t{1} << 30, likeness_to_toml, parse_toml,
-           write_toml_scene},
-    Format{"Tachyon", "tachyon", ".dat", std::uint64_t{1} << 36, likeness_to_tachyon,
-           parse_tachyon_scene, nullptr},
-    Format{"particles", "particles", "", kLargestParticleFile, likeness_to_particles,
-           parse_particle_scene, nullptr},
-    Format{"lab input.txt", "lab", "", std::uint64_t{1} << 30, likeness_to_lab_input,
-           parse_lab_input, write_lab_scene},
+    Format{"NFF", ".nff", std::uint64_t{1} << 36, likeness_to_nff, parse_nff},
+    Format{"TOML", ".toml", std::uint64_t{1} << 30, likeness_to_toml, parse_toml},
+    Format{"Tachyon", ".dat", std::uint64_t{1} << 36, likeness_to_tachyon,
+           parse_tachyon_scene},
+    Format{"particles", "", kLargestParticleFile, likeness_to_particles,
+           parse_particle_scene},
+    Format{"lab input.txt", "", std::uint64_t{1} << 30, likeness_to_lab_input,
+           parse_lab_input},
 };
 
 constexpr const Format& kParticles = kFormats[3];
 static_assert(kParticles.parse == parse_particle_scene);
-
-bool ends_with(std::string_view name, std::string_view ending) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  return !ending.empty() && name.size() >= ending.size() &&
-         std::equal(ending.begin(), ending.end(), name.end() - std::ssize(ending),
-                    [&](char a, char b) { return a == lower(b); });
-}
 
 const Format* format_of(std::string_view text, std::string_view name) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
@@ -81,18 +71,6 @@ Result<ReadScene> parse_text(std::string_view text, const std::string& name,
 Result<ReadScene> parse_scene(std::string_view text, const std::string& name,
                               const ReadOptions& options) {
   return parse_text(text, name, options);
-}
-
-Result<WrittenScene> write_scene(const Scene& scene, std::string_view format) {
-  for (const Format& each : kFormats)
-    if (each.write != nullptr && (each.key == format || ends_with(format, each.ending)))
-      return each.write(scene);
-  if (ends_with(format, ".txt")) return write_lab_scene(scene);  // a name that tells no reader
-  std::string keys;
-  for (const Format& each : kFormats)
-    if (each.write != nullptr) keys += fmt::format("{}{}", keys.empty() ? "" : ", ", each.key);
-  return failure("", fmt::format("'{}' is no format that can be written", format),
-                 fmt::format("formats: {}", keys));
 }
 
 Result<ReadScene> read_scene(const std::string& path, const ReadOptions& given) {

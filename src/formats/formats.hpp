@@ -17,13 +17,11 @@ enum class Likeness { none, possible, sure };
 
 struct Format {
   const char* name;         ///< for people
-  const char* key;          ///< for commands
   std::string_view ending;  ///< of its files' names, if any tells
   std::uint64_t largest;  ///< bytes that a file may have; the first format's is the largest of all
   Likeness (*likeness)(std::string_view text);  ///< after a byte order mark, if there is one
   Result<ReadScene> (*parse)(std::string_view text, const std::string& name,
                              const ReadOptions& options);
-  Result<WrittenScene> (*write)(const Scene& scene);  ///< nullptr: it is only read
 };
 
 /// May stand before any UTF-8.
@@ -60,10 +58,5 @@ Likeness likeness_to_particles(std::string_view text);
 /// With a look, a camera and lights that show all of it.
 Result<ReadScene> parse_particle_scene(std::string_view bytes, const std::string& name,
                                        const ReadOptions& options = {});
-
-/// Writers of the same formats.
-Result<WrittenScene> write_nff(const Scene& scene);
-Result<WrittenScene> write_toml_scene(const Scene& scene);
-Result<WrittenScene> write_lab_scene(const Scene& scene);
 
 }  // namespace zraka

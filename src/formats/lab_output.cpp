@@ -2,8 +2,8 @@
 // Writer of the course's input.txt.
 #include <fmt/format.h>
 
-#include "formats/formats.hpp"
 #include "formats/losses.hpp"
+#include "formats/writers.hpp"
 
 namespace zraka {
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <optional>
 
-#include "formats/formats.hpp"
 #include "formats/losses.hpp"
+#include "formats/writers.hpp"
 #include "shapes/bodies.hpp"
 
 namespace zraka {

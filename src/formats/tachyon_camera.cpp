@@ -139,6 +139,12 @@ void TachyonReader::set_camera() {
     camera.window_center = sum(center_, ahead);
     camera.window_right = unit(sum(scaled(right, std::cos(turn)), scaled(view, -std::sin(turn))));
     camera.window_up = up;
+    // Sides that are swapped turn the picture round.
+    if (other < left) camera.window_right = scaled(camera.window_right, -1);
+    if (top < bottom) {
+      camera.window_up = scaled(camera.window_up, -1);
+      camera.latitude_middle_deg = -camera.latitude_middle_deg;
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/text.hpp"
 #include "formats/formats.hpp"
+#include "formats/writers.hpp"
 #include "language/facts.hpp"
 #include "language/sections.hpp"
 #include "scene/check_bodies.hpp"

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Materials as macros of POV-Ray, M0 for the first: texture, interior, and whether shadows are
+// thrown.
+#include <algorithm>
+
+#include "core/text.hpp"
+#include "formats/plain_material.hpp"
+#include "formats/povray_output.hpp"
+#include "formats/vectors.hpp"
+
+namespace zraka {
+namespace {
+
+/// A checker in space that gives the diffuse light; nullptr where there is none.
+const Texture* checker_of(const Scene& scene, const Material& m) {
+  for (const TextureUse& use : m.textures) {
+    const Texture& texture = scene.textures[use.texture];
+    if (use.coefficient == Coefficient::diffuse && texture.kind == TextureKind::checker &&
+        texture.mapping == TextureMapping::solid)
+      return &texture;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void PovrayWriter::count_lost(const Material& m) {
+  const Texture* const checker = checker_of(scene_, m);
+  for (const TextureUse& use : m.textures) {
+    const bool is_ambient = use.coefficient == Coefficient::ambient;
+    const bool is_checker = checker != nullptr && &scene_.textures[use.texture] == checker;
+    losses_.count("materials: textures, of which the mean is kept",
+                  !is_checker || !(is_ambient || use.coefficient == Coefficient::diffuse));
+  }
+  losses_.count("materials: bumps and maps of normals", m.normals.kind != NormalUse::Kind::none);
+  losses_.count("materials: the highlight's colour",
+                m.specular.r != m.specular.g || m.specular.g != m.specular.b);
+  losses_.count("materials: priority", m.priority != 0);
+  losses_.count("materials: dispersion", m.dispersion.kind != Dispersion::Kind::none);
+  losses_.count(
+      "materials: that what is transparent throws a full shadow",
+      m.refraction.most() > 0 && m.casts_shadow && scene_.defaults.shadows == Shadows::opaque);
+  losses_.count("materials: shares of refracted rays that are more than 0.999",
+                m.refraction.most() > 0.999 && (mean(m.diffuse) > 0 || mean(m.ambient) > 0));
+}
+
+void PovrayWriter::write_finish(const Material& m) {
+  const double shininess = std::max(m.shininess, 1e-3);
+  if (mean(m.specular) > 0 && m.highlight == Highlight::blinn)  // as POV-Ray's specular is
+    put("specular {} roughness {} ", mean(m.specular), 1 / shininess);
+  else if (mean(m.specular) > 0)
+    put("phong {} phong_size {} ", mean(m.specular), shininess);
+  if (m.fresnel != Fresnel::off)  // takes from k2 what it gives to k1, which is 0 here
+    put("reflection {{ {} fresnel on }} conserve_energy ", words(Color(m.refraction)));
+  else if (m.reflection.most() > 0)
+    put("reflection {{ {} }} ", words(Color(m.reflection)));
+}
+
+void PovrayWriter::write_interior(const Material& m) {
+  if (!(m.refraction.most() > 0)) return;
+  put(" interior {{ ior {} ", m.ior);
+  // From a power of 1000 on it fades by exp(-(1 - color)·depth/distance).
+  if (m.absorption != Color{})
+    put("fade_power 1001 fade_distance 1 fade_color {} ",
+        words(Color{1 - m.absorption.r, 1 - m.absorption.g, 1 - m.absorption.b}));
+  put("}}");
+}
+
+/// Clear bodies, whose shares are per channel: what passes has the pigment's colour.
+void PovrayWriter::write_clear(const Material& m) {
+  put("texture {{ pigment {{ rgbf <{},{},{},1> }} finish {{ ambient 0 diffuse 0 ", m.refraction.r,
+      m.refraction.g, m.refraction.b);
+  write_finish(m);
+  put("}} }}");
+}
+
+std::string PovrayWriter::pigment_of(const Texture* checker, const Color& color,
+                                     double through) const {
+  const auto clear = [&](const Color& c) {
+    return fmt::format("rgbt <{},{},{},{}>", c.r, c.g, c.b, through);
+  };
+  if (checker == nullptr) return clear(color);
+  std::string text = fmt::format("checker {}, {} scale {}", clear(checker->colors[0]),
+                                 clear(checker->colors[1]), checker->size);
+  if (checker->transform != Transform{}) text += " " + words(checker->transform);
+  return text;
+}
+
+void PovrayWriter::write_material(std::uint32_t index) {
+  const Material& given = scene_.materials[index];
+  count_lost(given);
+  const Material m = without_textures(scene_, given);
+  const Texture* const checker = checker_of(scene_, given);
+  const auto name = scene_.material_names.find(index);
+  if (name != scene_.material_names.end()) put("// {}\n", shown(name->second));
+  put("#macro M{}() ", index);
+  if (m.refraction.most() > 0 && mean(m.diffuse) == 0 && mean(m.ambient) == 0) {
+    write_clear(m);
+  } else {
+    // A share that is transmitted is taken from diffuse and ambient light; ours is not.
+    const double through = std::min(mean(m.refraction), 0.999), rest = 1 / (1 - through);
+    const bool is_lit = mean(m.diffuse) > 0;
+    const auto share = [](double ka, double kd) { return kd > 0 ? ka / kd : 0; };
+    const Color ambient =
+        is_lit ? Color{share(m.ambient.r, m.diffuse.r), share(m.ambient.g, m.diffuse.g),
+                       share(m.ambient.b, m.diffuse.b)}
+               : Color{1, 1, 1};
+    put("texture {{ pigment {{ {} }} finish {{ ambient {} diffuse {} ",
+        pigment_of(checker, is_lit ? m.diffuse : m.ambient, through), words(ambient * rest),
+        is_lit ? rest : 0);
+    write_finish(m);
+    put("}} }}");
+  }
+  write_interior(m);
+  if (!m.casts_shadow) put(" no_shadow");
+  put(" #end\n");
+}
+
+}  // namespace zraka
