@@ -295,12 +295,12 @@ TEST_F(LanguageMeshes, SayWhatIsWrongAtTheirPlace) {
   EXPECT_EQ(first("none.obj"),
             "s.toml:3:8: error: file of mesh: none.obj: cannot be read: No such file or directory");
   EXPECT_EQ(answer_to(mesh("a.GLB"), options()),
-            "s.toml:3:8: error: file of mesh: a.GLB: meshes of .glb files are not built yet\n"
+            "s.toml:3:8: error: file of mesh: a.GLB: is a scene: meshes of .glb files are not taken out\n"
             "  file = \"a.GLB\"\n         ^\n"
             "  most programs that write them write .obj or .ply, too\n");
   EXPECT_EQ(first("land.pgm"),
             "s.toml:3:8: error: file of mesh: land.pgm: its name ends like that of no mesh: "
-            "expected .obj, .ply or .stl");
+            "expected .obj, .ply, .stl or .off");
   EXPECT_EQ(first("../x.obj"),
             "s.toml:3:8: error: file of mesh: '../x.obj' lies outside of the scene's folder");
   EXPECT_EQ(

@@ -19,21 +19,6 @@ std::string_view line_of(std::string_view text, int number) {
   return trimmed(text.substr(0, text.find('\n')));
 }
 
-/// The next word of a line, which loses it.
-std::string_view take_word(std::string_view& line) {
-  line = trimmed(line);
-  const std::string_view word = line.substr(0, line.find_first_of(" \t"));
-  line.remove_prefix(word.size());
-  return word;
-}
-
-/// So many numbers, whatever follows.
-bool has_numbers(std::string_view line, int count) {
-  for (; count > 0; --count)
-    if (!parse_number(take_word(line))) return false;
-  return true;
-}
-
 /// The first line that is neither empty nor a comment, if there is one at the beginning of the
 /// text.
 std::string_view first_statement(std::string_view text, std::string_view comment) {
@@ -43,13 +28,6 @@ std::string_view first_statement(std::string_view text, std::string_view comment
     if (!line.empty() && !line.starts_with(comment)) return line;
   }
   return {};
-}
-
-bool is_obj(std::string_view text) {
-  std::string_view line = first_statement(text, "#");
-  const std::string_view word = take_word(line);
-  if (word == "o" || word == "g") return text.find("\nv ") != std::string_view::npos;
-  return (word == "v" && has_numbers(line, 3)) || word == "mtllib";
 }
 
 bool is_povray(std::string_view text) {
@@ -67,16 +45,6 @@ struct Known {
 
 constexpr Known kKnown[] = {
     {is_povray, {"a POV-Ray scene", "POV-Rayeva scena"}},
-    {[](std::string_view t) { return t.starts_with("ply\n") || t.starts_with("ply\r"); },
-     {"a PLY mesh", "mreža PLY"}},
-    {is_obj, {"an OBJ mesh", "mreža OBJ"}},
-    {[](std::string_view t) { return t.starts_with("OFF\n") || t.starts_with("OFF\r"); },
-     {"an OFF mesh", "mreža OFF"}},
-    {[](std::string_view t) {
-       return t.starts_with("solid ") && t.find("facet") != std::string_view::npos;
-     },
-     {"an STL mesh", "mreža STL"}},
-    {[](std::string_view t) { return t.starts_with("glTF"); }, {"a glTF scene", "scena glTF"}},
     {[](std::string_view t) { return t.starts_with("\x89PNG"); }, {"a PNG picture", "slika PNG"}},
     {[](std::string_view t) { return t.starts_with("\xFF\xD8\xFF"); },
      {"a JPEG picture", "slika JPEG"}},

@@ -11,6 +11,7 @@
 #include "core/text.hpp"
 #include "core/unpack.hpp"
 #include "formats/foreign.hpp"
+#include "mesh/mesh.hpp"
 #include "particles/particles.hpp"
 
 namespace zraka {
@@ -18,18 +19,20 @@ namespace {
 
 /// Found by the content where it tells, for names can be anything, else by the name's ending.
 constexpr std::array kFormats = {
+    Format{"mesh", "", std::uint64_t{1} << 33, likeness_to_mesh, parse_mesh_scene},
     Format{"NFF", ".nff", std::uint64_t{1} << 36, likeness_to_nff, parse_nff},
     Format{"TOML", ".toml", std::uint64_t{1} << 30, likeness_to_toml, parse_toml},
-    Format{"Tachyon", ".dat", std::uint64_t{1} << 36, likeness_to_tachyon,
-           parse_tachyon_scene},
-    Format{"particles", "", kLargestParticleFile, likeness_to_particles,
-           parse_particle_scene},
-    Format{"lab input.txt", "", std::uint64_t{1} << 30, likeness_to_lab_input,
-           parse_lab_input},
+    Format{"Tachyon", ".dat", std::uint64_t{1} << 36, likeness_to_tachyon, parse_tachyon_scene},
+    Format{"glTF", ".gltf", std::uint64_t{1} << 32, likeness_to_gltf, parse_gltf},
+    Format{"particles", "", kLargestParticleFile, likeness_to_particles, parse_particle_scene},
+    Format{"lab input.txt", "", std::uint64_t{1} << 30, likeness_to_lab_input, parse_lab_input},
 };
 
-constexpr const Format& kParticles = kFormats[3];
-static_assert(kParticles.parse == parse_particle_scene);
+constexpr const Format& kMeshes = kFormats[0];
+constexpr const Format& kNff = kFormats[1];
+constexpr const Format& kParticles = kFormats[5];
+static_assert(kMeshes.parse == parse_mesh_scene && kNff.parse == parse_nff &&
+              kParticles.parse == parse_particle_scene);
 
 const Format* format_of(std::string_view text, std::string_view name) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
@@ -38,6 +41,7 @@ const Format* format_of(std::string_view text, std::string_view name) {
   for (const Format& format : kFormats)
     if (ends_with(name, format.ending)) return &format;
   if (particle_format_of(text, name) != nullptr) return &kParticles;
+  if (is_mesh_name(name)) return &kMeshes;
   for (const Format& format : kFormats)
     if (format.likeness(text) == Likeness::possible) return &format;
   return nullptr;
@@ -46,11 +50,13 @@ const Format* format_of(std::string_view text, std::string_view name) {
 Result<ReadScene> parse_text(std::string_view text, const std::string& name,
                              const ReadOptions& options) {
   const Format* const format = format_of(text, name);
-  // The lab's reader takes whatever begins with a number, and OBJ has a v as NFF does.
-  const bool is_own =
-      format != nullptr && (format->parse == parse_toml || format == &kParticles);
+  // The lab's reader takes whatever begins with a number.
   std::string_view beginning = text;
   if (beginning.starts_with(kByteOrderMark)) beginning.remove_prefix(kByteOrderMark.size());
+  const bool is_own =
+      format != nullptr &&
+      (format->parse == parse_toml || format == &kParticles ||
+       (format->parse != parse_lab_input && format->likeness(beginning) == Likeness::sure));
   if (const ForeignFormat foreign = foreign_format_of(beginning);
       !is_own && !foreign.english.empty())
     return failure(name,
@@ -75,7 +81,7 @@ Result<ReadScene> parse_scene(std::string_view text, const std::string& name,
 
 Result<ReadScene> read_scene(const std::string& path, const ReadOptions& given) {
   constexpr std::size_t kBeginning = std::size_t{1} << 16, kBlock = std::size_t{1} << 18;
-  const Format& nff = kFormats.front();
+  const Format& nff = kNff;
   if (std::optional<LargeFile> file = LargeFile::open(path, nff.largest)) {
     std::string beginning(kBeginning, '\0');
     beginning.resize(file->read(beginning.data(), kBeginning));

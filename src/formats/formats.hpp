@@ -18,7 +18,7 @@ enum class Likeness { none, possible, sure };
 struct Format {
   const char* name;         ///< for people
   std::string_view ending;  ///< of its files' names, if any tells
-  std::uint64_t largest;  ///< bytes that a file may have; the first format's is the largest of all
+  std::uint64_t largest;  ///< bytes that a file may have; NFF's is the largest of all
   Likeness (*likeness)(std::string_view text);  ///< after a byte order mark, if there is one
   Result<ReadScene> (*parse)(std::string_view text, const std::string& name,
                              const ReadOptions& options);
@@ -52,6 +52,17 @@ Result<ReadScene> parse_lab_input(std::string_view text, const std::string& name
 Likeness likeness_to_toml(std::string_view text);
 Result<ReadScene> parse_toml(std::string_view text, const std::string& name,
                     const ReadOptions& options = {});
+
+/// Sure where the content is one of the formats of meshes (mesh/read_mesh.cpp).
+Likeness likeness_to_mesh(std::string_view text);
+/// With a camera and lights that show all of it.
+Result<ReadScene> parse_mesh_scene(std::string_view bytes, const std::string& name,
+                                   const ReadOptions& options = {});
+
+/// Sure where it is GLB, or JSON with an asset.
+Likeness likeness_to_gltf(std::string_view text);
+Result<ReadScene> parse_gltf(std::string_view text, const std::string& name,
+                             const ReadOptions& options = {});
 
 /// Sure where the content is one of the formats of particles (particles/read_particles.cpp).
 Likeness likeness_to_particles(std::string_view text);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formats/painted.hpp"
 #include "formats/tachyon_reader.hpp"
 
 namespace zraka {
@@ -79,42 +80,14 @@ Material TachyonReader::material_from(const TachyonSurface& s) {
   return m;
 }
 
-/// Each painted triangle has two by two texels, from whose middles three colours are blended; the
-/// fourth makes that linear.
 void TachyonReader::paint() {
   for (Painted& painted : painted_) {
-    const std::size_t n = painted.triangles.size();
-    const auto across = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(n))));
-    const std::size_t down = (n + across - 1) / across;
-    Image image(static_cast<std::uint32_t>(2 * across), static_cast<std::uint32_t>(2 * down));
-    const double width = image.width, height = image.height;
     scene_.smooth_triangle_uvs.resize(scene_.smooth_triangles.size());
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t x = i % across * 2, y = i / across * 2;
-      const float* const c = painted.colors.data() + 9 * i;
-      float* const upper = image.row(static_cast<std::uint32_t>(y)) + 3 * x;
-      float* const lower = image.row(static_cast<std::uint32_t>(y + 1)) + 3 * x;
-      for (std::size_t k = 0; k < 3; ++k) {
-        upper[k] = c[k], upper[3 + k] = c[3 + k], lower[k] = c[6 + k];
-        lower[3 + k] = c[3 + k] + c[6 + k] - c[k];
-      }
-      const auto uv = [&](double column, double row) {
-        return std::array<float, 2>{static_cast<float>(column / width),
-                                    static_cast<float>(1 - row / height)};
-      };
-      const auto left = static_cast<double>(x) + 0.5, top = static_cast<double>(y) + 0.5;
-      scene_.smooth_triangle_uvs[painted.triangles[i]] = {uv(left, top), uv(left + 1, top),
-                                                          uv(left, top + 1)};
-    }
+    patterns_.push_back(
+        painted_texture(painted.colors, [&](std::size_t i, const CornerUvs& corners) {
+          scene_.smooth_triangle_uvs[painted.triangles[i]] = corners;
+        }));
     std::vector<float>().swap(painted.colors);
-    Texture t;
-    t.kind = TextureKind::image;
-    t.mapping = TextureMapping::uv;
-    t.transfer = Transfer::linear;
-    t.wrap = TextureWrap::clamp;
-    t.filter = TextureFilter::bilinear;
-    t.image = std::make_shared<const Image>(std::move(image));
-    patterns_.push_back(std::move(t));
     surfaces_[painted.material].pattern = static_cast<double>(patterns_.size());
   }
 }

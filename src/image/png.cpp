@@ -154,8 +154,9 @@ bool start_rows(png_structp png, png_infop info, int& bits) {
   return true;
 }
 
-/// Stored values over black. True if a pixel is not opaque.
-bool take_row(const unsigned char* in, int bits, std::uint32_t width, float* out) {
+/// Stored values, over black unless there is a place for alpha. True if a pixel is not opaque.
+bool take_row(const unsigned char* in, int bits, std::uint32_t width, float* out,
+              std::vector<float>* alphas) {
   bool see_through = false;
   const auto value = [&](std::size_t i) {
     return bits == 16 ? static_cast<float>(in[2 * i] * 256 + in[2 * i + 1]) / 65535.0f
@@ -164,7 +165,9 @@ bool take_row(const unsigned char* in, int bits, std::uint32_t width, float* out
   for (std::size_t x = 0; x < width; ++x) {
     const float alpha = value(4 * x + 3);
     see_through = see_through || alpha < 1;
-    for (std::size_t c = 0; c < 3; ++c) out[3 * x + c] = alpha * value(4 * x + c);
+    if (alphas != nullptr) alphas->push_back(alpha);
+    const float over_black = alphas != nullptr ? 1 : alpha;
+    for (std::size_t c = 0; c < 3; ++c) out[3 * x + c] = over_black * value(4 * x + c);
   }
   return see_through;
 }
@@ -172,7 +175,7 @@ bool take_row(const unsigned char* in, int bits, std::uint32_t width, float* out
 /// An interlaced picture's rows come together in several passes, so `bytes` holds all of them; else
 /// it holds one row.
 bool read_rows(png_structp png, const Header& header, int bits, unsigned char* bytes,
-               std::size_t row_bytes, ReadImage& read) {
+               std::size_t row_bytes, ReadImage& read, std::vector<float>* alpha) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng's way
   for (int pass = 0; header.interlaced && pass < PNG_INTERLACE_ADAM7_PASSES; ++pass)
     for (std::size_t y = 0; y < header.height; ++y)
@@ -180,7 +183,7 @@ bool read_rows(png_structp png, const Header& header, int bits, unsigned char* b
   for (std::uint32_t y = 0; y < header.height; ++y) {
     if (!header.interlaced) png_read_row(png, bytes, nullptr);
     const unsigned char* row = header.interlaced ? bytes + y * row_bytes : bytes;
-    if (take_row(row, bits, header.width, read.image.row(y))) read.alpha = true;
+    if (take_row(row, bits, header.width, read.image.row(y), alpha)) read.alpha = true;
   }
   png_read_end(png, nullptr);
   return true;
@@ -224,7 +227,7 @@ Result<ReadImage> PngReader::read(const ImageFile& file) {
   const std::size_t row_bytes = png_get_rowbytes(png_, info_);
   std::vector<unsigned char> bytes(header.interlaced ? row_bytes * header.height : row_bytes);
   read.image = Image(header.width, header.height);
-  if (!read_rows(png_, header, read.bits, bytes.data(), row_bytes, read)) return problem();
+  if (!read_rows(png_, header, read.bits, bytes.data(), row_bytes, read, file.alpha)) return problem();
   return read;
 }
 

@@ -61,11 +61,13 @@ Result<void> ImageFile::check_size(std::uint64_t width, std::uint64_t height) co
   return {};
 }
 
-Result<ReadImage> parse_image(std::string_view bytes, const std::string& name,
-                              std::uint64_t max_pixels) {
+namespace {
+
+Result<ReadImage> parse_file(const ImageFile& file) {
+  const auto& [bytes, name, max_pixels, alpha] = file;
   if (bytes.empty()) return failure(name, phrase(Word::image_empty));
   for (const ImageFormat& format : kImageFormats)
-    if (bytes.starts_with(format.start)) return format.parse({bytes, name, max_pixels});
+    if (bytes.starts_with(format.start)) return format.parse(file);
   for (const OtherFormat& other : kOtherFormats)
     if (bytes.starts_with(other.start))
       return failure(
@@ -73,6 +75,21 @@ Result<ReadImage> parse_image(std::string_view bytes, const std::string& name,
           phrase(Word::image_other, Phrase{std::string(other.name), without_article(other.name)}),
           phrase(Word::image_save_as, phrase(Word::image_readable)));
   return failure(name, phrase(Word::image_unknown), phrase(Word::image_readable));
+}
+
+}  // namespace
+
+Result<ReadImage> parse_image(std::string_view bytes, const std::string& name,
+                              std::uint64_t max_pixels) {
+  return parse_file({bytes, name, max_pixels});
+}
+
+Result<ReadImage> parse_image_with_alpha(std::string_view bytes, const std::string& name,
+                                         std::uint64_t max_pixels, std::vector<float>& alpha) {
+  alpha.clear();
+  Result<ReadImage> read = parse_file({bytes, name, max_pixels, &alpha});
+  if (read && !read->alpha) alpha.clear();
+  return read;
 }
 
 Result<ReadImage> read_image(const std::string& path, std::uint64_t max_pixels) {

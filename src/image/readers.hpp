@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 #include <zraka/image.hpp>
 
 namespace zraka {
@@ -13,10 +14,18 @@ struct ImageFile {
   std::string_view bytes;
   const std::string& name;
   std::uint64_t max_pixels;
+  /// nullptr: transparent pixels are laid over black; else they keep their colours, and this gets
+  /// how opaque each is, where the file says so.
+  std::vector<float>* alpha = nullptr;
 
   /// Fails where a size is 0 or has too many pixels; to be asked before memory is taken.
   Result<void> check_size(std::uint64_t width, std::uint64_t height) const;
 };
+
+/// parse_image() that keeps the colours of transparent pixels: `alpha` gets how opaque each is, and
+/// stays empty where all are.
+Result<ReadImage> parse_image_with_alpha(std::string_view bytes, const std::string& name,
+                                         std::uint64_t max_pixels, std::vector<float>& alpha);
 
 /// By libpng. Corrections of gamma, profiles and text in the file are passed over.
 Result<ReadImage> parse_png(const ImageFile& file);

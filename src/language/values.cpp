@@ -223,7 +223,7 @@ std::string expected_value_of(const Field& field) {
         case Unit::picture:
           return "the name of a picture's file, in quotes";
         case Unit::mesh:
-          return "the name of an .obj, .ply or .stl file, in quotes";
+          return "the name of an .obj, .ply, .stl or .off file, in quotes";
         case Unit::particles:
           return "the name of a file of particles, in quotes";
         default:

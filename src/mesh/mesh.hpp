@@ -24,6 +24,10 @@ struct Mesh {
   std::vector<Vec3> points, normals;
   std::vector<std::array<float, 2>> uvs;
   std::vector<Triangle> triangles;
+  /// Of each triangle, as an index into material_names, or kNone; empty where none has one.
+  std::vector<std::uint32_t> materials;
+  std::vector<std::string> material_names,
+      material_files;  ///< of OBJ: what it uses, and where it is
 
   /// Adds a face as triangles; it may be concave. Corners have to exist.
   void add_face(const std::vector<Corner>& corners);
@@ -35,15 +39,24 @@ struct Mesh {
 /// The most triangles, points or the like of a mesh.
 inline constexpr std::uint64_t kMostInMesh = std::uint64_t{1} << 28;
 
-/// Reads a file whose name ends in .obj, .ply or .stl.
+/// Reads a file whose name ends in .obj, .ply, .stl or .off.
 Result<Mesh> read_mesh(const std::string& path);
+/// Whether a content, of which the first 64 KiB are enough but for a binary STL, or a file's name
+/// is one of a mesh.
+bool is_mesh(std::string_view text);
+bool is_mesh_name(std::string_view name);
+/// Of the kind that its content tells, or else its name.
+Result<Mesh> parse_mesh(std::string_view bytes, const std::string& name);
 
-/// Wavefront OBJ: v, vn, vt and f; what else there is, is passed over.
+/// Wavefront OBJ: v, vn, vt, f, usemtl and mtllib; what else there is, is passed over.
 Result<Mesh> parse_obj(std::string_view text, const std::string& name);
 /// PLY, text or binary of either order of bytes (Turk, "The PLY Polygon File Format", 1994).
 Result<Mesh> parse_ply(std::string_view bytes, const std::string& name);
 /// STL, text or binary. Points in the same place are one; normals of facets are passed over.
 Result<Mesh> parse_stl(std::string_view bytes, const std::string& name);
+
+/// OFF, text: corners and polygons, whose colours are passed over.
+Result<Mesh> parse_off(std::string_view text, const std::string& name);
 
 /// Whether it is no larger than a float may be.
 inline bool fits_float(double value) {

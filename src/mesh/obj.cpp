@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "core/text.hpp"
@@ -31,6 +32,10 @@ class ObjReader {
         read_uv();
       else if (keyword == "f")
         read_face();
+      else if (keyword == "usemtl")
+        use_material();
+      else if (keyword == "mtllib" && !trimmed(rest_).empty())
+        mesh_.material_files.emplace_back(trimmed(rest_));
     }
     if (problems_.empty() && mesh_.triangles.empty())
       fail(0, "has no faces: no line begins with f");
@@ -159,6 +164,15 @@ class ObjReader {
     return made;
   }
 
+  /// Of the faces that follow.
+  void use_material() {
+    if (mesh_.material_names.empty()) mesh_.materials.resize(mesh_.triangles.size(), Mesh::kNone);
+    const auto [known, added] = materials_.try_emplace(
+        std::string(trimmed(rest_)), static_cast<std::uint32_t>(mesh_.material_names.size()));
+    if (added) mesh_.material_names.push_back(known->first);
+    material_ = known->second;
+  }
+
   void read_face() {
     corners_.clear();
     for (std::string_view each = word(); !each.empty(); each = word()) {
@@ -169,6 +183,7 @@ class ObjReader {
     if (corners_.size() < 3)
       return fail(1, fmt::format("a face has {} corners: expected 3 or more", corners_.size()));
     mesh_.add_face(corners_);
+    if (!mesh_.material_names.empty()) mesh_.materials.resize(mesh_.triangles.size(), material_);
     if (mesh_.triangles.size() > kMostInMesh)
       fail(1, fmt::format("there are more than {} triangles", kMostInMesh));
   }
@@ -178,6 +193,8 @@ class ObjReader {
   const std::string& name_;
   std::size_t number_ = 0, further_lines_ = 0;
   std::vector<Mesh::Corner> corners_;
+  std::map<std::string, std::uint32_t> materials_;
+  std::uint32_t material_ = Mesh::kNone;
   Mesh mesh_;
   Diagnostics problems_;
 };

@@ -57,7 +57,10 @@ inline BodySurface uv_of(const Triangle*, const double* s, const V3<double>& p,
     surface.along_u = (ab * cv - ac * bv) * (1 / det);
     surface.along_v = (ac * bu - ab * cu) * (1 / det);
   } else {
-    surface.along_u = ab, surface.along_v = ac;
+    // Corners that all have one u and v, as those of models that take colours from a palette, see
+    // one point of a texture: it is as if u and v would change far away.
+    const double far = t[0] == t[1] && t[0] == t[2] ? 0x1p60 : 1;
+    surface.along_u = ab * far, surface.along_v = ac * far;
   }
   return surface;
 }
