@@ -24,13 +24,16 @@ constexpr std::array kFormats = {
     Format{"TOML", ".toml", std::uint64_t{1} << 30, likeness_to_toml, parse_toml},
     Format{"Tachyon", ".dat", std::uint64_t{1} << 36, likeness_to_tachyon, parse_tachyon_scene},
     Format{"glTF", ".gltf", std::uint64_t{1} << 32, likeness_to_gltf, parse_gltf},
+    Format{"Ray Tracer Challenge", ".yml", std::uint64_t{1} << 22, likeness_to_challenge,
+           parse_challenge},
+    Format{"CSE 167", ".test", std::uint64_t{1} << 30, likeness_to_cse167, parse_cse167},
     Format{"particles", "", kLargestParticleFile, likeness_to_particles, parse_particle_scene},
     Format{"lab input.txt", "", std::uint64_t{1} << 30, likeness_to_lab_input, parse_lab_input},
 };
 
 constexpr const Format& kMeshes = kFormats[0];
 constexpr const Format& kNff = kFormats[1];
-constexpr const Format& kParticles = kFormats[5];
+constexpr const Format& kParticles = kFormats[7];
 static_assert(kMeshes.parse == parse_mesh_scene && kNff.parse == parse_nff &&
               kParticles.parse == parse_particle_scene);
 

@@ -64,6 +64,15 @@ Likeness likeness_to_gltf(std::string_view text);
 Result<ReadScene> parse_gltf(std::string_view text, const std::string& name,
                              const ReadOptions& options = {});
 
+/// Sure where the text begins, comments aside, with an item that is added or defined.
+Likeness likeness_to_challenge(std::string_view text);
+Result<ReadScene> parse_challenge(std::string_view text, const std::string& name,
+                                  const ReadOptions& options = {});
+/// Sure where the text begins, comments aside, with its size, camera or depth.
+Likeness likeness_to_cse167(std::string_view text);
+Result<ReadScene> parse_cse167(std::string_view text, const std::string& name,
+                               const ReadOptions& options = {});
+
 /// Sure where the content is one of the formats of particles (particles/read_particles.cpp).
 Likeness likeness_to_particles(std::string_view text);
 /// With a look, a camera and lights that show all of it.
