@@ -107,6 +107,16 @@ exactly 0 "$molecule: note: 24 particles; light, camera and colours are chosen h
   "$zraka" render "$molecule" -o "$folder/molecule.png" --width 64
 gzip -c "$molecule" | "$zraka" render - -o "$folder/unpacked.png" --width 64 -q || fail "gzip on standard input"
 cmp -s "$folder/molecule.png" "$folder/unpacked.png" || fail "gzip gives another picture"
+
+# Scenes of other programs, by what they hold.
+for model in scenes/gltf/octahedra.gltf scenes/nff/benzene.nff scenes/tachyon/water.dat; do
+  "$zraka" info "$model" 2>/dev/null >"$folder/named"
+  gzip -c "$model" | "$zraka" info - 2>/dev/null | cmp -s - "$folder/named" || fail "$model on standard input"
+done
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >"$folder/mesh"
+expect 0 "note: 1 triangle; light and camera are chosen here" "$zraka" render "$folder/mesh" -o "$folder/mesh.png" --width 32
+expect 0 "lost in POV-Ray" "$zraka" convert scenes/lab/input.txt "$folder/scene.pov"
+expect 2 "--to: 'obj' is not nff, toml, tachyon, povray or lab" "$zraka" convert scenes/lab/input.txt - --to obj
 for isa in $("$zraka" --version | sed -n 's/^this machine has://p'); do
   "$zraka" render "$scene" -o "$folder/b.png" --isa "$isa" --threads 1 --tile 5 || fail "$isa"
   cmp -s "$folder/a.png" "$folder/b.png" || fail "$isa gives other bytes"

@@ -62,7 +62,7 @@ TEST_F(MeshScenes, TakeMaterialsFromTheFilesThatAnObjNames) {
   EXPECT_EQ(scene.materials[2].fresnel, Fresnel::exact);
   EXPECT_EQ(scene.material_names.at(1), "red");
   EXPECT_EQ(notes(*read),
-            "1 materials are in no file of materials: they are grey\n"
+            "1 of its materials is in no file of materials: grey is drawn\n"
             "5 triangles; light and camera are chosen here\n");
 }
 

@@ -37,7 +37,15 @@ constexpr const Format& kParticles = kFormats[7];
 static_assert(kMeshes.parse == parse_mesh_scene && kNff.parse == parse_nff &&
               kParticles.parse == parse_particle_scene);
 
+/// A name as it is before gzip or zstd.
+std::string_view unpacked_name(std::string_view name) {
+  for (const std::string_view packed : {".gz", ".zst"})
+    if (ends_with(name, packed)) name.remove_suffix(packed.size());
+  return name;
+}
+
 const Format* format_of(std::string_view text, std::string_view name) {
+  name = unpacked_name(name);
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   for (const Format& format : kFormats)
     if (format.likeness(text) == Likeness::sure) return &format;
@@ -53,6 +61,11 @@ const Format* format_of(std::string_view text, std::string_view name) {
 Result<ReadScene> parse_text(std::string_view text, const std::string& name,
                              const ReadOptions& options) {
   const Format* const format = format_of(text, name);
+  // Some have words of their own for it.
+  const bool is_utf16 = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+  if (is_utf16 && (format == nullptr ||
+                   (format->parse != parse_lab_input && format->parse != parse_tachyon_scene)))
+    return failure(name, phrase(Word::path_utf16), phrase(Word::lab_utf16));
   // The lab's reader takes whatever begins with a number.
   std::string_view beginning = text;
   if (beginning.starts_with(kByteOrderMark)) beginning.remove_prefix(kByteOrderMark.size());

@@ -137,7 +137,8 @@ void MeshScene::read_materials(const Mesh& mesh) {
   }
   if (missing > 0 && !known.empty())
     say(Severity::warning,
-        fmt::format("{} materials are in no file of materials: they are grey", missing));
+        fmt::format("{} of its materials {} in no file of materials: grey is drawn", missing,
+                    missing == 1 ? "is" : "are"));
 }
 
 std::string MeshScene::add_triangles(const Mesh& mesh) {
@@ -170,7 +171,8 @@ std::string MeshScene::add_triangles(const Mesh& mesh) {
 
 void MeshScene::frame(const Mesh& mesh) {
   // What is printed stands on z = 0, as STL has it; all others have y up.
-  const bool z_up = ends_with(name_, ".stl");
+  const bool z_up =
+      ends_with(name_, ".stl") || ends_with(name_, ".stl.gz") || ends_with(name_, ".stl.zst");
   const ViewDirection direction = z_up ? ViewDirection{unit({0.5, -1, 0.35}), {0, 0, 1}}
                                        : ViewDirection{unit({0.5, 0.35, 1}), {0, 1, 0}};
   std::vector<Vec3> points;
@@ -204,7 +206,8 @@ Result<ReadScene> MeshScene::build(Mesh mesh) {
                                     [](const Material& m) { return m.refraction.most() > 0; });
   if (is_clear) scene_.defaults.shadows = Shadows::transparent;
   say(Severity::note,
-      fmt::format("{} triangles; light and camera are chosen here", grouped(mesh.triangles.size())),
+      fmt::format("{} triangle{}; light and camera are chosen here", grouped(mesh.triangles.size()),
+                  mesh.triangles.size() == 1 ? "" : "s"),
       "a scene with a shape of kind 'mesh' chooses otherwise: zraka help mesh");
   return std::move(read_);
 }

@@ -74,6 +74,8 @@ constexpr std::string_view kScenes[] = {".gltf", ".glb"};
 constexpr std::uint64_t kLargest = std::uint64_t{1} << 33;
 
 const MeshFormat* by_name(std::string_view name) {
+  for (const std::string_view packed : {".gz", ".zst"})
+    if (ends_with(name, packed)) name.remove_suffix(packed.size());
   for (const MeshFormat& format : kFormats)
     if (ends_with(name, format.ending)) return &format;
   return nullptr;
