@@ -114,7 +114,9 @@ TEST(Gltf, ReadsIndicesOfAllWidthsAndNone) {
     const Scene scene = read(square.with(fmt::format("}},\"indices\":{}}}", indices))).scene;
     ASSERT_EQ(scene.groups.size(), 1u);
     ASSERT_EQ(scene.groups[0].triangles.size(), 2u);
+    EXPECT_EQ(scene.groups[0].triangles[0].shape.b, (Vec3{1, 0, 0}));
     EXPECT_EQ(scene.groups[0].triangles[1].shape.b, (Vec3{1, 1, 0}));
+    EXPECT_EQ(scene.groups[0].triangles[1].shape.c, (Vec3{0, 1, 0}));
     EXPECT_EQ(scene.instances.size(), 1u);
   }
   const Scene scene = read(Square().with("}}")).scene;
@@ -368,21 +370,28 @@ TEST(Gltf, DrawsFacesOnceThatAreThereForBothSides) {
 
 TEST(Gltf, SeesOneTexelWhereAllCornersHaveOneUv) {
   Square square;
-  const int uvs = square.floats({0.25f, 0.25f, 0.25f, 0.25f, 0.25f, 0.25f, 0.25f, 0.25f}, 2);
+  // One red pixel among many blue ones.
+  Image image(64, 64);
+  for (std::size_t i = 2; i < image.pixels.size(); i += 3) image.pixels[i] = 1;
+  float* const red = image.row(16) + 3 * 16;
+  red[0] = 1, red[2] = 0;
+  const std::string png = encode_png(image).value();
+  const float at = 16.5f / 64;
+  const int uvs = square.floats({at, at, at, at, at, at, at, at}, 2);
   Scene scene =
       read(
           square.with(
               fmt::format(",\"TEXCOORD_0\":{}}},\"mode\":6,\"material\":0}}", uvs),
-              R"("images":[{"uri":"data:image/png;base64,)" + base64(picture()) +
+              R"("images":[{"uri":"data:image/png;base64,)" + base64(png) +
                   R"("}],"textures":[{"source":0}],"materials":[{"extensions":{"KHR_materials_unlit":{}},)"
                   R"("pbrMetallicRoughness":{"metallicFactor":0,"baseColorTexture":{"index":0}}}])"))
           .scene;
   scene.resolution = {9, 9};
   scene.sky = {};
-  const Image image = render(scene, {}).value().image;
-  const float* const middle = image.row(4) + 3 * 4;
+  const Image seen = render(scene, {}).value().image;
+  const float* const middle = seen.row(4) + 3 * 4;
   EXPECT_NEAR(middle[0], 1, 1e-5);
-  EXPECT_NEAR(middle[1], 0, 1e-5);
+  EXPECT_NEAR(middle[2], 0, 1e-5);
 }
 
 TEST(Gltf, RefusesWhatLies) {
