@@ -142,9 +142,6 @@ TEST_F(MeshScenes, SayWhatIsWrongWithOff) {
             "a.off:6: error: face 0: expected indices of points, less than 3\n");
   EXPECT_EQ(answer("OFF\n99999999 1 0\n0 0 0\n"),
             "a.off:2: error: 99999999 points and 1 faces are more than the file holds\n");
-  EXPECT_EQ(answer(std::string("\xFF\xFEO\0F\0", 6)),
-            "a.off: error: is text of UTF-16, of which nothing is read\n"
-            "  save it as UTF-8, or as plain text\n");
   EXPECT_EQ(answer("OFF\n"), "a.off:2: error: the header ends: expected three counts\n");
 }
 

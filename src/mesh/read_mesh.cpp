@@ -101,9 +101,6 @@ Result<Mesh> parse_mesh(std::string_view bytes, const std::string& name) {
   const MeshFormat* format = by_content(bytes);
   if (format == nullptr) format = by_name(name);
   if (format == nullptr) return failure(name, "is no mesh that can be read");
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
-    return failure(name, "is text of UTF-16, of which nothing is read",
-                   "save it as UTF-8, or as plain text");
   return format->parse(bytes, name);
 }
 
