@@ -39,7 +39,7 @@ inline std::string english_words_in(std::string_view text) {
          {"to",  "no",   "on",      "do",   "zraka", "javascript", "program", "srgb", "input",
           "txt", "png",  "jpeg",    "gzip", "utf",   "docs",       "nff",     "toml", "md",
           "zip", "json", "ppm",     "pgm",  "pfm",   "exr",        "mib",     "kd",   "ka",
-          "ks",  "ni",   "openexr", "cmyk", "width", "radiance",   "hdr",    "fresnel", "particles", "tachyon"})
+          "ks",  "ni",   "openexr", "cmyk", "width", "radiance",   "hdr",    "fresnel", "particles", "tachyon", "gltf"})
       words.erase(both);
     return words;
   }();

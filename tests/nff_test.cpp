@@ -251,8 +251,9 @@ TEST(Nff, IsElseKnownByItsName) {
   };
   EXPECT_EQ(answer_of_unknown("// notes\n// of somebody\n"),
             "a.abc: error: is of no format that can be read\n"
-            "  scenes are TOML (docs/scene-language/), NFF (docs/nff.md), files of particles "
-            "(docs/particles.md) or the course's input.txt (docs/input-txt.md)\n");
+            "  scenes are TOML (docs/scene-language/), glTF and meshes (docs/gltf.md), NFF "
+            "(docs/nff.md), Tachyon's (docs/tachyon.md), files of particles (docs/particles.md) or "
+            "the course's input.txt (docs/input-txt.md)\n");
   EXPECT_EQ(parse_scene("<oko => 0, 0, 2:", "f.nff").error().front().message.find("NFF"),
             std::string::npos)
       << "what begins with a label is the lab's, whatever its name";
