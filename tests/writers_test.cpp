@@ -72,7 +72,9 @@ Scene held_by_tachyon() {
 
 TEST(Writers, BringScenesBackFromTachyon) {
   const Scene scene = held_by_tachyon();
-  EXPECT_EQ(losses(scene, "tachyon"), "");
+  EXPECT_EQ(losses(scene, "tachyon"),
+            "warning: lost in Tachyon: lights: that highlights fade, too\n")
+      << "as Tachyon itself draws it";
   expect_equal(scene, through(scene, "tachyon"));
   expect_equal(scene, through(through(through(scene, "toml"), "tachyon"), "toml"));
 }
@@ -93,6 +95,7 @@ TEST(Writers, KeepTachyonsOwnFogSpotsAndLights) {
                              .highlight = Highlight::blinn,
                              .casts_shadow = false});
   scene.spheres.insert(scene.spheres.begin(), {{{0, 3, 0}, 0.5}, 3});
+  scene.lights[0].attenuation = Light{}.attenuation;
   EXPECT_EQ(losses(scene, "tachyon"), "");
   const Scene again = through(scene, "tachyon");
   EXPECT_EQ(again.fog, scene.fog);
@@ -207,6 +210,34 @@ TEST(Writers, WritePovraysShapesAndMaterials) {
         "sphere { 0, 1 scale <1,2,3> translate <0,0,0> M0() }",
         "cone { <0,0,0>, 1, <0,1,0>, 0  M0()"})
     expect_has(text, part);
+}
+
+TEST(Writers, FadePovraysLightsAsTheirsFade) {
+  Scene scene = of_all_bodies();
+  scene.lights = {{.position = {1, 2, 3}, .color = {2, 4, 8}, .attenuation = {2, 0, 0.5}},
+                  {.position = {}, .color = {1, 1, 1}, .attenuation = {0, 0, 4}},
+                  {.position = {}, .color = {1, 1, 1}, .attenuation = {0, 2, 0}},
+                  {.position = {}, .color = {2, 1, 1}, .attenuation = {2, 0, 0}}};
+  const std::string text = text_of(scene, "povray");
+  std::size_t at = 0;
+  for (const Light& light : scene.lights) {
+    at = text.find("light_source", at) + 1;
+    const std::string line = text.substr(at, text.find('\n', at) - at);
+    const auto number_behind = [&](const std::string& word, double usual) {
+      const std::size_t found = line.find(word);
+      return found == std::string::npos ? usual : std::stod(line.substr(found + word.size()));
+    };
+    const double color = number_behind("rgb <", 0), power = number_behind("fade_power ", 0);
+    const double away = number_behind("fade_distance ", 1);
+    for (const double d : {1.0, 3.0}) {
+      const Vec3& a = light.attenuation;
+      const double strength = light.color.r / (a.x + a.y * d + a.z * d * d);
+      // POV-Ray's formula.
+      EXPECT_NEAR(power == 0 ? color : color * 2 / (1 + std::pow(d / away, power)), strength,
+                  1e-3 * strength)
+          << line;
+    }
+  }
 }
 
 TEST(Writers, WriteOnlyMaterialsThatShapesHave) {

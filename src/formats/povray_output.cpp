@@ -97,13 +97,17 @@ void PovrayWriter::write_fading(const Light& light, Color& color) {
     if (a.x > 0) color = color * (1 / a.x);
     return;
   }
-  if (!(a.x > 0) || !(is_linear || is_square)) {
+  if (!is_linear && !is_square) {
     losses_.count("lights: attenuation", 1);
     return;
   }
-  color = color * (1 / (2 * a.x));
-  put("fade_power {} fade_distance {} ", is_square ? 2 : 1,
-      is_square ? std::sqrt(a.x / a.z) : a.x / a.y);
+  // Without a constant it begins to fade so near that it makes no difference.
+  constexpr double kNear = 1e-4;
+  const double power = is_square ? 2 : 1, slope = is_square ? a.z : a.y;
+  const double constant = a.x > 0 ? a.x : slope * std::pow(kNear, power);
+  color = color * (1 / (2 * constant));
+  put("fade_power {} fade_distance {} ", power,
+      is_square ? std::sqrt(constant / slope) : constant / slope);
 }
 
 void PovrayWriter::write_light(const Light& light) {

@@ -176,6 +176,7 @@ void TachyonWriter::write_light(const Light& light) {
         light.attenuation.z);
   put_value("COLOR", light.color);
   put("\n");
+  losses_.count("lights: that highlights fade, too", light.attenuation != Light{}.attenuation);
   losses_.count("lights: the size of rectangles, discs and spheres", light.is_surface());
 }
 
