@@ -240,6 +240,22 @@ TEST(Writers, FadePovraysLightsAsTheirsFade) {
   }
 }
 
+TEST(Writers, KeepTrianglesOfGroupsTogetherForGlass) {
+  Scene scene = lab_scene();
+  scene.materials = {{}, {.refraction = 1, .ior = 1.5}};
+  scene.groups.resize(1);
+  scene.groups[0].triangles = {{{}, kMaterialOfWhole}, {{}, 0}, {{}, kMaterialOfWhole}};
+  scene.groups[0].smooth_triangles = {{{}, kMaterialOfWhole}};
+  scene.instances = {{{0}, 1}};
+  const std::string text = text_of(scene, "povray");
+  // A mesh has an inside, loose triangles do not.
+  const std::size_t group = text.find("#declare Group0"), first = text.find("mesh {", group),
+                    second = text.find("mesh {", first + 1);
+  ASSERT_NE(second, std::string::npos) << text;
+  EXPECT_EQ(text.find("mesh {", second + 1), std::string::npos);
+  expect_has(text, "object { Group0 M1()");
+}
+
 TEST(Writers, WriteOnlyMaterialsThatShapesHave) {
   Scene scene = of_all_bodies();
   scene.materials.push_back({.diffuse = {0.123456789, 0, 0}});

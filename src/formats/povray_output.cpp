@@ -152,7 +152,7 @@ Result<WrittenScene> PovrayWriter::write() {
   for (std::uint32_t i = 0; i < scene_.materials.size(); ++i)
     if (used_[i]) write_material(i);
   write_groups();
-  write_shapes(scene_, true);
+  write_shapes(scene_);
   losses_.count("names", scene_.names.size());
   RenderDefaults held;
   held.max_depth = scene_.defaults.max_depth;

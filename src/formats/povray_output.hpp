@@ -49,11 +49,10 @@ class PovrayWriter {
   /// What stands between an object's numbers and its closing brace.
   std::string ending(std::uint32_t material, std::uint32_t transform) const;
   void write_groups();
-  void write_shapes(const ShapeLists& shapes, bool in_meshes);
+  void write_shapes(const ShapeLists& shapes);
   template <class Shape>
   void write_all(const std::vector<Object<Shape>>& objects);
-  template <class Shape>
-  void write_meshes(const std::vector<Object<Shape>>& objects);
+  void write_meshes(const ShapeLists& shapes);
   void write(const Sphere& s, const std::string& end);
   void write(const Cone& s, const std::string& end);
   void write(const Triangle& s, const std::string& end);

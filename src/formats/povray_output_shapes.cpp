@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes, CSG and instances in POV-Ray's language.
+#include <map>
 #include <type_traits>
 #include <vector>
 
@@ -137,29 +138,30 @@ void PovrayWriter::write_all(const std::vector<Object<Shape>>& objects) {
     write(object.shape, ending(object.material, is_body<Shape> ? object.transform : 0));
 }
 
-/// The triangles of each material as a mesh, which has a bounding hierarchy of its own.
-template <class Shape>
-void PovrayWriter::write_meshes(const std::vector<Object<Shape>>& objects) {
-  std::vector<std::vector<const Shape*>> of(scene_.materials.size());
-  for (const Object<Shape>& object : objects) of[object.material].push_back(&object.shape);
-  for (std::uint32_t m = 0; m < of.size(); ++m) {
-    if (of[m].empty()) continue;
+/// The triangles of each material as a mesh, which has a bounding hierarchy of its own, and an
+/// inside that rays come into and out of.
+void PovrayWriter::write_meshes(const ShapeLists& shapes) {
+  struct Mesh {
+    std::vector<const Triangle*> flat;
+    std::vector<const SmoothTriangle*> smooth;
+  };
+  std::map<std::uint32_t, Mesh> of;
+  for (const Object<Triangle>& object : shapes.triangles)
+    of[object.material].flat.push_back(&object.shape);
+  for (const Object<SmoothTriangle>& object : shapes.smooth_triangles)
+    of[object.material].smooth.push_back(&object.shape);
+  for (const auto& [material, mesh] : of) {
     put("mesh {{\n");
-    for (const Shape* shape : of[m]) write(*shape, "}\n");
-    put("{}", ending(m, 0));
+    for (const Triangle* triangle : mesh.flat) write(*triangle, "}\n");
+    for (const SmoothTriangle* triangle : mesh.smooth) write(*triangle, "}\n");
+    put("{}", ending(material, 0));
   }
 }
 
-void PovrayWriter::write_shapes(const ShapeLists& shapes, bool in_meshes) {
+void PovrayWriter::write_shapes(const ShapeLists& shapes) {
   write_all(shapes.spheres);
   write_all(shapes.cones);
-  if (in_meshes) {
-    write_meshes(shapes.triangles);
-    write_meshes(shapes.smooth_triangles);
-  } else {
-    write_all(shapes.triangles);
-    write_all(shapes.smooth_triangles);
-  }
+  write_meshes(shapes);
 #define ZRAKA_WRITE(Type, plural) write_all(shapes.plural);
   ZRAKA_BODIES(ZRAKA_WRITE)
 #undef ZRAKA_WRITE
@@ -178,7 +180,7 @@ void PovrayWriter::write_groups() {
       if (!is_ready) continue;
       done[i] = true;
       put("#declare Group{} = union {{\n", i);
-      write_shapes(scene_.groups[i], false);
+      write_shapes(scene_.groups[i]);
       put("}}\n");
     }
     if (is_done) break;
