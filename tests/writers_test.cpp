@@ -305,11 +305,13 @@ TEST(Writers, KeepParallelRaysAndPanoramas) {
   for (const CameraKind kind : {CameraKind::orthographic, CameraKind::panorama}) {
     Scene scene = held_by_tachyon();
     scene.camera.kind = kind;
+    if (kind == CameraKind::panorama) scene.camera.latitude_middle_deg = 10;
     const Camera again = through(scene, "tachyon").camera;
     EXPECT_EQ(again.kind, kind);
     EXPECT_EQ(again.eye, scene.camera.eye);
     EXPECT_GT(again.window_right.x, 0);
     EXPECT_EQ(again.longitude_deg, 360);
+    EXPECT_NEAR(again.latitude_middle_deg, scene.camera.latitude_middle_deg, 1e-9);
   }
 }
 

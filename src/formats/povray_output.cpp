@@ -50,6 +50,7 @@ void PovrayWriter::write_camera() {
       break;
     case CameraKind::panorama:
       kind = fmt::format("spherical angle {} {}", c.longitude_deg, c.latitude_deg);
+      losses_.count("how far up the panorama's middle is", c.latitude_middle_deg != 0);
       // It turns the view as in a left-handed space.
       right = unit(right) * handedness, up = unit(up) * handedness;
       break;

@@ -48,6 +48,7 @@ Result<void> TachyonWriter::write_camera() {
   double width = length(c.window_right) * way, height = length(c.window_up), x = 0, y = 0;
   if (is_panorama) {
     width = c.longitude_deg * kRadians * way, height = c.latitude_deg * kRadians;
+    y = c.latitude_middle_deg * kRadians;
   } else if (c.kind == CameraKind::orthographic) {
     if (!are_square(to_window, c.window_right) || !are_square(to_window, c.window_up))
       return refuse("where this scene's window is: parallel rays go through it aslant", "");
