@@ -329,7 +329,7 @@ TEST(Report, StopsWhereItCannotGoOn) {
   options.cancel = &cancel;
   const auto take = [](Stage, const StagePictures&) { return Result<void>(); };
   EXPECT_EQ(measure_stages(tangled_scene(10), options, take).error().front().message,
-            "the render was cancelled");
+            "the report was cancelled");
   EXPECT_EQ(measure_stages(tangled_scene(10), {.isa = Isa::oracle}, take).error().front().message,
             "the oracle's numbers are doubles, and no picture's: it explains nothing");
   int calls = 0;

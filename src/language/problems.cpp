@@ -50,12 +50,26 @@ std::string words_with_part(std::string_view word, std::span<const std::string_v
   return all;
 }
 
+/// The one known word that begins with the word and an underscore: fov_deg for fov, though fog is
+/// but a letter away.
+std::string_view word_beginning(std::string_view word, std::span<const std::string_view> known) {
+  std::string_view found;
+  for (const std::string_view each : known) {
+    if (!each.starts_with(word) || each.size() == word.size() || each[word.size()] != '_') continue;
+    if (!found.empty()) return {};
+    found = each;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string Problems::hint_at(std::string_view word, std::span<const std::string_view> known,
                               std::string_view plural) const {
   constexpr std::size_t kMostNamed = 20;
   if (enough()) return "";  // to look for what was meant takes as long as all known words
+  if (const std::string_view meant = word_beginning(word, known); !meant.empty())
+    return fmt::format("did you mean '{}'?", meant);
   if (const auto meant = nearest_of(word, {known.begin(), known.end()}))
     return fmt::format("did you mean '{}'?", *meant);
   if (const std::string meant = words_with_part(word, known); !meant.empty())
