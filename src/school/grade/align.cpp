@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <limits>
 
 #include "image/alter.hpp"
 
@@ -21,125 +19,91 @@ float value_at(const Image& image, std::int64_t x, std::int64_t y, std::size_t c
       .pixels[(static_cast<std::size_t>(y) * image.width + static_cast<std::size_t>(x)) * 3 + c];
 }
 
-/// Mean squared difference where the right picture lies at (left, top) in the other, over every
-/// `step`-th pixel; infinite where less than two thirds of it would be there.
-double misfit(const Image& submitted, const Image& right, std::int64_t left, std::int64_t top,
-              std::int64_t step) {
-  const std::int64_t x0 = std::max<std::int64_t>(0, -left), y0 = std::max<std::int64_t>(0, -top);
-  const std::int64_t x1 = std::min<std::int64_t>(right.width, submitted.width - left);
-  const std::int64_t y1 = std::min<std::int64_t>(right.height, submitted.height - top);
-  if (3 * (x1 - x0) * (y1 - y0) < 2 * std::int64_t{right.width} * right.height)
-    return std::numeric_limits<double>::infinity();
-  double sum = 0;
-  std::int64_t count = 0;
-  for (std::int64_t y = y0; y < y1; y += step)
-    for (std::int64_t x = x0; x < x1; x += step)
-      for (std::size_t c = 0; c < 3; ++c, ++count) {
-        const double d = static_cast<double>(value_at(right, x, y, c)) -
-                         static_cast<double>(value_at(submitted, x + left, y + top, c));
-        sum += d * d;
-      }
-  return sum / static_cast<double>(count);
+/// A region that nothing outside of it has blurred, less rows and columns at its edges that have
+/// one colour: transparent ones, as screenshots of windows have.
+Region visible_region(const Fitted& fitted, std::uint32_t width, std::uint32_t height) {
+  const GridPlacement& p = fitted.placement;
+  const auto begin = [](double start, double step, std::uint32_t room) {
+    return static_cast<std::uint32_t>(
+        std::clamp(std::ceil(-start / step - 0.01), 0.0, static_cast<double>(room)));
+  };
+  const auto end = [](double start, double step, std::uint32_t size, std::uint32_t room) {
+    return static_cast<std::uint32_t>(
+        std::clamp(std::floor((size - start) / step + 0.01), 0.0, static_cast<double>(room)));
+  };
+  Region region{begin(p.left, p.across, width), begin(p.top, p.down, height),
+                end(p.left, p.across, fitted.width, width),
+                end(p.top, p.down, fitted.height, height)};
+  if (!fitted.exact && region.right > region.left + 8 && region.bottom > region.top + 8)
+    region = {region.left + 1, region.top + 1, region.right - 1, region.bottom - 1};
+  return region;
 }
 
-struct Offset {
-  std::int64_t left = 0, top = 0;
-};
-
-/// Where the right picture lies in a window: everywhere with few pixels first, then nearby with
-/// more.
-Offset find_in_window(const Image& submitted, const Image& right) {
-  const std::int64_t dx = std::int64_t{submitted.width} - right.width,
-                     dy = std::int64_t{submitted.height} - right.height;
-  constexpr std::int64_t kSlack = 4;
-  Offset best;
-  double least = std::numeric_limits<double>::infinity();
-  const auto look = [&](std::int64_t x0, std::int64_t x1, std::int64_t y0, std::int64_t y1,
-                        std::int64_t stride, std::int64_t step) {
-    for (std::int64_t y = y0; y <= y1; y += stride)
-      for (std::int64_t x = x0; x <= x1; x += stride)
-        if (const double d = misfit(submitted, right, x, y, step); d < least)
-          least = d, best = {x, y};
-  };
-  const std::int64_t step = std::max<std::int64_t>(2, right.width / 64);
-  look(std::min<std::int64_t>(0, dx) - kSlack, std::max<std::int64_t>(0, dx) + kSlack,
-       std::min<std::int64_t>(0, dy) - kSlack, std::max<std::int64_t>(0, dy) + kSlack, 2, step);
-  least = std::numeric_limits<double>::infinity();
-  const Offset coarse = best;
-  look(coarse.left - 2, coarse.left + 2, coarse.top - 2, coarse.top + 2, 1, 2);
-  return best;
+Fitted fitted_at(const Position& position, Image painted, bool unpainted, std::uint32_t width,
+                 std::uint32_t height) {
+  Fitted fitted;
+  if (position.transposed) painted = transposed(painted);
+  if (position.flipped) painted = flipped_vertically(painted);
+  Alignment& alignment = fitted.alignment;
+  alignment.unpainted = unpainted;
+  alignment.transposed = position.transposed;
+  alignment.flipped = position.flipped;
+  fitted.width = painted.width;
+  fitted.height = painted.height;
+  const GridPlacement& at = fitted.placement = position.placement;
+  const auto is_whole = [](double value) { return value == std::round(value); };
+  fitted.exact =
+      at.across == 1 && at.down == 1 && is_whole(at.left) && is_whole(at.top) && !unpainted;
+  fitted.smallest = std::min(at.across, at.down);
+  fitted.likeness = position.likeness;
+  alignment.scaled = at.across != 1 || at.down != 1;
+  alignment.across = at.across;
+  alignment.down = at.down;
+  alignment.left = at.left;
+  alignment.top = at.top;
+  alignment.cut = std::fabs(at.left) > 0.75 || std::fabs(at.top) > 0.75 ||
+                  std::fabs(at.left + at.across * width - fitted.width) > 0.75 ||
+                  std::fabs(at.top + at.down * height - fitted.height) > 0.75;
+  fitted.image = at == GridPlacement{} && painted.width == width && painted.height == height
+                     ? std::move(painted)
+                     : resampled(painted, at, width, height);
+  fitted.region = visible_region(fitted, width, height);
+  return fitted;
 }
 
 }  // namespace
 
-Fitted fit(const Image& submitted, const Image& right) {
-  Fitted fitted;
-  fitted.width = submitted.width;
-  fitted.height = submitted.height;
-  fitted.region = {0, 0, right.width, right.height};
-  if (submitted.width == right.width && submitted.height == right.height) {
-    fitted.image = submitted;
-    return fitted;
-  }
-  const double across = static_cast<double>(submitted.width) / right.width,
-               down = static_cast<double>(submitted.height) / right.height;
-  // A window's frame is not that large; and the search below would take long.
-  const auto far_from = [](std::uint32_t a, std::uint32_t b) {
-    return std::abs(std::int64_t{a} - std::int64_t{b}) > std::int64_t{b} / 2 + 64;
-  };
-  if (std::fabs(across / down - 1) < 0.01 || far_from(submitted.width, right.width) ||
-      far_from(submitted.height, right.height)) {
-    fitted.alignment.scaled = true;
-    fitted.image = across > 1 ? scaled_by_area(submitted, right.width, right.height)
-                              : scaled_bilinearly(submitted, right.width, right.height);
-    return fitted;
-  }
-  const Offset at = find_in_window(submitted, right);
-  fitted.alignment.cut = true;
-  fitted.alignment.left = static_cast<std::int32_t>(at.left);
-  fitted.alignment.top = static_cast<std::int32_t>(at.top);
-  fitted.image = Image(right.width, right.height);
-  const auto inside = [](std::int64_t from, std::uint32_t size, std::uint32_t room) {
-    return std::pair(
-        static_cast<std::uint32_t>(std::clamp<std::int64_t>(-from, 0, room)),
-        static_cast<std::uint32_t>(std::clamp<std::int64_t>(std::int64_t{size} - from, 0, room)));
-  };
-  const auto [x0, x1] = inside(at.left, submitted.width, right.width);
-  const auto [y0, y1] = inside(at.top, submitted.height, right.height);
-  fitted.region = {x0, y0, x1, y1};
-  for (std::uint32_t y = y0; y < y1; ++y)
-    for (std::uint32_t x = x0; x < x1; ++x)
-      for (std::size_t c = 0; c < 3; ++c)
-        fitted.image.row(y)[std::size_t{3} * x + c] =
-            value_at(submitted, x + at.left, y + at.top, c);
-  return fitted;
+std::vector<Fitted> fit(const Image& submitted, const Template& searched, std::uint32_t width,
+                        std::uint32_t height) {
+  Image painted = submitted;
+  const bool unpainted = fill_unpainted(painted);
+  std::vector<Fitted> all;
+  for (const Position& position : searched.find(painted))
+    all.push_back(fitted_at(position, painted, unpainted, width, height));
+  return all;
 }
 
 std::vector<Alignment> ways_to_align() {
   std::vector<Alignment> ways;
-  for (const bool flipped : {false, true})
-    for (const bool swapped : {false, true})
-      for (const auto curve :
-           {Alignment::Curve::none, Alignment::Curve::srgb, Alignment::Curve::power})
-        ways.push_back({.flipped = flipped, .swapped = swapped, .curve = curve});
+  for (const bool swapped : {false, true})
+    for (const auto curve :
+         {Alignment::Curve::none, Alignment::Curve::srgb, Alignment::Curve::power})
+      ways.push_back({.swapped = swapped, .curve = curve});
   return ways;
 }
 
 Image aligned(const Image& image, const Alignment& way) {
-  Image out = way.flipped ? flipped_vertically(image) : image;
-  if (way.swapped) out = with_red_and_blue_swapped(out);
+  Image out = way.swapped ? with_red_and_blue_swapped(image) : image;
   if (way.curve == Alignment::Curve::srgb) out = decoded(out, Transfer::srgb);
   if (way.curve == Alignment::Curve::power) out = with_power(out, 2.2);
   return out;
 }
 
 Image through_scaling(const Image& image, const Fitted& fitted) {
-  if (!fitted.alignment.scaled) return image;
-  const bool larger = fitted.width > image.width;
-  const Image there = larger ? scaled_bilinearly(image, fitted.width, fitted.height)
-                             : scaled_by_area(image, fitted.width, fitted.height);
-  return larger ? scaled_by_area(there, image.width, image.height)
-                : scaled_bilinearly(there, image.width, image.height);
+  if (fitted.exact || fitted.smallest > 0.97) return image;
+  const Image there =
+      resampled(image, inverse(fitted.placement), fitted.width, fitted.height);
+  return resampled(there, fitted.placement, image.width, image.height);
 }
 
 double mean_square(const Image& a, const Image& b, const Region& region) {
@@ -183,20 +147,93 @@ bool shows(const Image& picture, const Image& other, const Region& region) {
                         : mean_square(picture, other, region) <= kShown * plain;
 }
 
-bool is_flat(const Image& image) {
+bool is_flat(const Image& image, const Region& region) {
   const Image shape = as_silhouette(image);
   std::array<double, 3> mean{};
   double count = 0, away = 0;
   const auto each = [&](const auto& function) {
-    for (std::size_t i = 0; i + 2 < image.pixels.size(); i += 3)
-      if (shape.pixels[i] > 0)
-        for (std::size_t c = 0; c < 3; ++c) function(c, static_cast<double>(image.pixels[i + c]));
+    for (std::uint32_t y = region.top; y < region.bottom; ++y)
+      for (std::uint32_t x = region.left; x < region.right; ++x)
+        if (value_at(shape, x, y, 0) > 0)
+          for (std::size_t c = 0; c < 3; ++c)
+            function(c, static_cast<double>(value_at(image, x, y, c)));
   };
   each([&](std::size_t c, double value) { mean[c] += value, count += 1; });
   if (count == 0) return true;
   for (double& value : mean) value /= count / 3;
   each([&](std::size_t c, double value) { away += std::fabs(value - mean[c]); });
   return away / count < 0.03;
+}
+
+Closeness closeness_of(const Fitted& fitted, bool jpeg, const Rubric& rubric) {
+  const auto own = static_cast<float>((rubric.tolerance + 0.5) / 255);
+  if (fitted.exact && !jpeg) return {0, 0, own, rubric.share};
+  const double share = std::max(rubric.share, 0.01);
+  if (fitted.exact) return {1, 1, own + 6.0F / 255, share};
+  return {1, 1, own + (jpeg ? 7.0F : 2.0F) / 255, share};
+}
+
+Image smoothed(const Image& image, unsigned times) {
+  Image out = image;
+  const std::size_t row = std::size_t{3} * image.width;
+  for (unsigned i = 0; i < times; ++i) {
+    Image across = out;
+    for (std::uint32_t y = 0; y < image.height; ++y) {
+      const float* from = out.row(y);
+      float* to = across.row(y);
+      for (std::size_t x = 3; x + 3 < row; ++x)
+        to[x] = (from[x - 3] + from[x] + from[x + 3]) * (1.0F / 3);
+    }
+    for (std::uint32_t y = 1; y + 1 < image.height; ++y) {
+      const float *above = across.row(y - 1), *here = across.row(y), *below = across.row(y + 1);
+      float* to = out.row(y);
+      for (std::size_t x = 0; x < row; ++x) to[x] = (above[x] + here[x] + below[x]) * (1.0F / 3);
+    }
+  }
+  return out;
+}
+
+Rest rest_of(const Image& picture, const Image& other, const Region& region,
+             const Closeness& close) {
+  const Image soft = smoothed(other, close.blur);
+  const std::size_t row = std::size_t{3} * other.width;
+  Image least = soft, most = soft;
+  for (unsigned i = 0; i < close.reach; ++i) {
+    const Image low = least, high = most;
+    for (std::uint32_t y = 0; y < other.height; ++y) {
+      const std::uint32_t above = y > 0 ? y - 1 : 0, below = std::min(y + 1, other.height - 1);
+      for (const std::uint32_t v : {above, y, below}) {
+        const float *l = low.row(v), *h = high.row(v);
+        float *to_l = least.row(y), *to_h = most.row(y);
+        for (std::size_t x = 0; x < row; ++x) {
+          const std::size_t before = x >= 3 ? x - 3 : x, after = x + 3 < row ? x + 3 : x;
+          to_l[x] = std::min({to_l[x], l[before], l[x], l[after]});
+          to_h[x] = std::max({to_h[x], h[before], h[x], h[after]});
+        }
+      }
+    }
+  }
+  Rest rest;
+  double beyond = 0, energy = 0;
+  for (std::uint32_t y = region.top; y < region.bottom; ++y) {
+    const float *p = picture.row(y), *l = least.row(y), *h = most.row(y);
+    float of_row = 0;
+    for (std::uint32_t x = region.left; x < region.right; ++x) {
+      bool far = false;
+      for (std::size_t i = std::size_t{3} * x; i < std::size_t{3} * x + 3; ++i) {
+        const float outside =
+            std::max({0.0F, l[i] - close.tolerance - p[i], p[i] - h[i] - close.tolerance});
+        far = far || outside > 0;
+        of_row += outside * outside;
+      }
+      beyond += far;
+    }
+    energy += static_cast<double>(of_row);
+  }
+  const double pixels = std::max(1.0, region.pixels());
+  rest.share = beyond / pixels;
+  rest.energy = energy / (3 * pixels);
+  return rest;
 }
 
 Image as_silhouette(const Image& image) {

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// A submission brought into line with the pictures it is compared with.
+// A submission brought into line with the pictures it is compared with, and how near two are.
 #pragma once
 
 #include <vector>
 #include <zraka/school/grade.hpp>
+
+#include "school/grade/registration.hpp"
 
 namespace zraka {
 
 /// A rectangle of pixels that can be compared.
 struct Region {
   std::uint32_t left = 0, top = 0, right = 0, bottom = 0;  ///< right and bottom are outside
+  double pixels() const {
+    return (right - left) * static_cast<double>(bottom - top);
+  }
 };
 
 /// A submission in the right picture's size.
@@ -17,19 +22,24 @@ struct Fitted {
   Image image;
   Region region;  ///< what of it was handed in
   Alignment alignment;
-  std::uint32_t width = 0, height = 0;  ///< as it was handed in
+  bool exact = true;    ///< pixel by pixel as it was handed in
+  double smallest = 1;  ///< its scale: below 1, details are lost
+  double likeness = 0;  ///< of outlines
+  GridPlacement placement{};
+  std::uint32_t width = 0, height = 0;  ///< as it was handed in, turned
 };
 
-/// Scales a picture of the same shape; looks for the right picture's position in one of another
-/// shape, which is a window with its frame, or cut off.
-Fitted fit(const Image& submitted, const Image& right);
+/// Finds a right picture of width × height in a submission: where it may be, the plainest first.
+std::vector<Fitted> fit(const Image& submitted, const Template& searched, std::uint32_t width,
+                        std::uint32_t height);
 
-/// What may have become of a right picture: upside down or not, colours swapped or not, each with
+/// What may have become of a right picture's colours: red and blue exchanged or not, each with
 /// every curve. The first is as it was handed in.
 std::vector<Alignment> ways_to_align();
 Image aligned(const Image& image, const Alignment& way);
 
-/// A picture of a right size as it comes out of the scaling that a submission went through.
+/// A picture of a right size as it comes out of the scaling that a submission went through, where
+/// that has lost something.
 Image through_scaling(const Image& image, const Fitted& fitted);
 
 /// Pictures that differ by less than this in their mean squares are the same.
@@ -44,9 +54,30 @@ double spread(const Image& image, const Region& region);
 /// Is the one picture nearer to the other than a plain one could be?
 bool shows(const Image& picture, const Image& other, const Region& region);
 
+/// What an alteration makes of pixels that are right.
+struct Closeness {
+  unsigned blur = 0;      ///< both pictures are smoothed that often by the mean of 3×3 pixels
+  unsigned reach = 0;     ///< values between those of pixels up to here apart are right
+  float tolerance = 0;    ///< and those this far outside
+  double share = 0.005;   ///< of the pixels that are farther outside
+};
+Closeness closeness_of(const Fitted& fitted, bool jpeg, const Rubric& rubric);
+
+/// Means over 3×3 pixels, `times` one after the other.
+Image smoothed(const Image& image, unsigned times);
+
+/// How far a picture is from another one.
+struct Rest {
+  double share = 0;   ///< pixels that differ by more than what is close
+  double energy = 0;  ///< mean of the squares of what is beyond
+};
+/// `picture` has been smoothed.
+Rest rest_of(const Image& picture, const Image& other, const Region& region,
+             const Closeness& close);
+
 /// Every pixel that is not nearly black in white: silhouettes may have any colour.
 Image as_silhouette(const Image& image);
 /// Has all that is not nearly black one colour, as silhouettes have?
-bool is_flat(const Image& image);
+bool is_flat(const Image& image, const Region& region);
 
 }  // namespace zraka

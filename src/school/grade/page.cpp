@@ -93,7 +93,7 @@ void Page::pictures(const StageGrade& stage) {
            say(Word::grade_difference, std::lround(255 * brightest)));
   }
   if (!stage.mistakes.empty())
-    figure(grader_.picture(stage.stage, stage.mistakes.front()), say(Word::grade_picture_mistake));
+    figure(grader_.picture(stage.stage, stage.named()), say(Word::grade_picture_mistake));
   put("</div>\n");
 }
 
@@ -137,6 +137,7 @@ void Page::row(const Grade& grade) {
                            {.stage = stage.stage,
                             .verdict = stage.verdict,
                             .mistakes = stage.mistakes,
+                            .both = stage.both,
                             .share_wrong = stage.share_wrong,
                             .problems = stage.problems})
                       .front()),

@@ -2,19 +2,16 @@
 #include "school/grade/submission.hpp"
 
 #include <fmt/format.h>
-#include <locale.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <mutex>
-#include <new>
 
 #include "core/file.hpp"
 #include "core/phrase.hpp"
 #include "core/text.hpp"
 #include "image/alter.hpp"
-#include "school/late/archive.hpp"
+#include "school/grade/archived.hpp"
 
 namespace zraka {
 namespace {
@@ -23,12 +20,6 @@ namespace fs = std::filesystem;
 
 /// A screen's worth and more; nobody hands in larger ones by right.
 constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 24;
-constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20;
-constexpr std::uint64_t kMostBytesInAll = std::uint64_t{256} << 20;
-constexpr std::size_t kMostFiles = 64;
-constexpr std::size_t kMostEntries = 10000;
-/// Of a file whose name in an archive is in no encoding: it may be a picture.
-constexpr const char* kUnknownName = "?";
 /// Pictures of more pixels are decoded one at a time.
 constexpr std::uint64_t kLargePicture = std::uint64_t{1} << 20;
 /// Finer detail than this many pixels for one of the right picture says nothing more.
@@ -36,34 +27,8 @@ constexpr std::uint32_t kMostScale = 4;
 /// Room for a window's frame around a small picture.
 constexpr std::uint32_t kFrame = 64;
 
-std::string lower_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  return text;
-}
-
-/// By its name; those of formats that cannot be read are told so.
-bool is_picture(const std::string& file) {
-  const std::string extension = lower_case(fs::path(file).extension().string());
-  for (const char* known : {".png", ".jpg", ".jpeg", ".ppm", ".pgm", ".pnm", ".pfm", ".exr", ".bmp",
-                            ".gif", ".tif", ".tiff", ".webp"})
-    if (extension == known) return true;
-  return false;
-}
-
-bool is_hidden(const fs::path& path) {
-  for (const fs::path& part : path)
-    if (const std::string name = part.string(); name.starts_with('.') || name == "__MACOSX")
-      return true;
-  return false;
-}
-
 tl::unexpected<Diagnostics> a_link(const std::string& path) {
   return failure(path, phrase(Word::grade_link), phrase(Word::grade_file_itself));
-}
-
-tl::unexpected<Diagnostics> too_many(const std::string& path) {
-  return failure(path, phrase(Word::grade_too_many, kMostFiles), phrase(Word::grade_seven));
 }
 
 /// Goes through a folder and those in it, and fails where one cannot be read: pictures must not be
@@ -113,99 +78,19 @@ Result<void> FolderReader::take(const fs::directory_entry& entry) {
   std::error_code error;
   const fs::file_type type = entry.symlink_status(error).type();
   const std::string name = entry.path().lexically_relative(path_).string();
-  if ((type != fs::file_type::regular && type != fs::file_type::symlink) || !is_picture(name))
+  const bool archive = is_archive(name);
+  if ((type != fs::file_type::regular && type != fs::file_type::symlink) ||
+      !(archive || is_picture(name)))
     return {};
-  if (pictures_.size() == kMostFiles) return too_many(path_);
+  if (archive && type == fs::file_type::regular)
+    return take_from_archive(entry.path().string(), name, pictures_);
+  if (pictures_.size() == kMostPictures) return too_many_pictures(path_);
   SubmittedPicture picture{.file = name,
                            .stage = stage_of_name(entry.path().filename().string()),
                            .path = entry.path().string()};
   if (type == fs::file_type::symlink) picture.problems = a_link(picture.path).value();
   pictures_.push_back(std::move(picture));
   return {};
-}
-
-/// The file at hand, at most kMostBytes of it, whatever the archive says about its size.
-Result<std::string> read_entry(archive* from, const std::string& file) {
-  std::string bytes, part(std::size_t{1} << 16, '\0');
-  for (;;) {
-    const la_ssize_t more = archive_read_data(from, part.data(), part.size());
-    if (more < 0) return failure(file, phrase(Word::grade_damaged_there));
-    if (more == 0) return bytes;
-    bytes.append(part, 0, static_cast<std::size_t>(more));
-    if (bytes.size() > kMostBytes)
-      return failure(file, phrase(Word::grade_unpacks, kMostBytes >> 20));
-  }
-}
-
-/// Lets libarchive say names in UTF-8 on this thread: in the C locale, which a program starts with,
-/// it gives those that are not ASCII up.
-class Utf8Names {
- public:
-  Utf8Names() {
-    for (const char* name : {"C.UTF-8", "en_US.UTF-8", "UTF-8"})
-      if (own_ == nullptr) own_ = ::newlocale(LC_CTYPE_MASK, name, nullptr);
-    if (own_ != nullptr) before_ = ::uselocale(own_);
-  }
-  ~Utf8Names() {
-    if (own_ == nullptr) return;
-    ::uselocale(before_);
-    ::freelocale(own_);
-  }
-  Utf8Names(const Utf8Names&) = delete;
-  Utf8Names& operator=(const Utf8Names&) = delete;
-
- private:
-  locale_t own_ = nullptr, before_ = nullptr;
-};
-
-/// Everything stays in memory, so no name in an archive can lead anywhere; one that tries is
-/// refused all the same.
-Result<std::vector<SubmittedPicture>> from_archive(const std::string& path) {
-  if (Result<void> loaded = kLibarchive.load(); !loaded) return tl::make_unexpected(loaded.error());
-  const Utf8Names utf8_names;
-  const std::unique_ptr<archive, int (*)(archive*)> from(archive_read_new(), archive_read_free);
-  if (from == nullptr) throw std::bad_alloc();
-  archive_read_support_format_zip(from.get());
-  const auto damaged = [&] { return failure(path, phrase(Word::grade_damaged)); };
-  if (archive_read_open_filename(from.get(), path.c_str(), std::size_t{1} << 16) != ARCHIVE_OK)
-    return damaged();
-  std::vector<SubmittedPicture> pictures;
-  std::uint64_t bytes_in_all = 0;
-  archive_entry* entry = nullptr;
-  for (std::size_t files = 0;; ++files) {
-    const int code = archive_read_next_header(from.get(), &entry);
-    if (code == ARCHIVE_EOF) return pictures;
-    // Names in old encodings come with a warning.
-    if (code != ARCHIVE_OK && code != ARCHIVE_WARN) return damaged();
-    if (files == kMostEntries)
-      return failure(path, phrase(Word::grade_archive_files, kMostEntries));
-    const char* pathname = archive_entry_pathname(entry);
-    const std::string name = pathname != nullptr ? pathname : kUnknownName;
-    const fs::path inside(name);
-    if (inside.is_absolute() || name.find('\\') != std::string::npos ||
-        std::find(inside.begin(), inside.end(), "..") != inside.end())
-      return failure(path, phrase(Word::grade_outside, shown(name)), phrase(Word::grade_pack_anew));
-    if (archive_entry_filetype(entry) != AE_IFREG || is_hidden(inside) ||
-        !(is_picture(name) || name == kUnknownName))
-      continue;
-    if (pictures.size() == kMostFiles) return too_many(path);
-    SubmittedPicture picture{.file = name, .stage = stage_of_name(inside.filename().string())};
-    if (picture.stage != kNoStage) {
-      Result<std::string> bytes = read_entry(from.get(), name);
-      if (bytes)
-        picture.bytes = std::move(*bytes);
-      else
-        picture.problems = bytes.error();
-    }
-    bytes_in_all += picture.bytes.size();
-    if (bytes_in_all > kMostBytesInAll)
-      return failure(path, phrase(Word::grade_unpacks_all, kMostBytesInAll >> 20));
-    pictures.push_back(std::move(picture));
-  }
-}
-
-bool is_archive(const std::string& file) {
-  return lower_case(fs::path(file).extension().string()) == ".zip";
 }
 
 }  // namespace
@@ -215,7 +100,9 @@ bool is_handed_in(const std::string& file) {
 }
 
 int stage_of_name(const std::string& file) {
-  const std::string name = lower_case(fs::path(file).stem().string());
+  std::string name = fs::path(file).stem().string();
+  for (char& c : name)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
   for (const char* other : {"contact", "difference", "change", "razlik", "letter", "slovo", "heat"})
     if (name.find(other) != std::string::npos) return kNoStage;
   constexpr struct {
@@ -250,7 +137,8 @@ Result<std::vector<SubmittedPicture>> read_submission(const std::string& path, L
   } else if (!fs::is_regular_file(status)) {
     return failure(path, phrase(Word::grade_neither));
   } else if (is_archive(path)) {
-    pictures = from_archive(path);
+    if (Result<void> good = take_from_archive(path, "", *pictures); !good)
+      return tl::make_unexpected(good.error());
   } else {
     const std::string file = fs::path(path).filename().string();
     pictures->push_back({.file = file, .stage = stage_of_name(file), .path = path, .alone = true});

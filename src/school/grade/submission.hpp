@@ -21,6 +21,7 @@ struct SubmittedPicture {
   std::string bytes{};     ///< the file, of one in an archive
   Diagnostics problems{};  ///< why it cannot be read, where that is known
   bool alone = false;      ///< it was handed in as a file of its own
+  bool document = false;   ///< it is a report's, whose program has chosen its name
 };
 
 /// What pictures are compared with.

@@ -26,21 +26,29 @@ std::string bytes(const std::array<float, 3>& pixel) {
   return fmt::format("({}, {}, {})", byte(pixel[0]), byte(pixel[1]), byte(pixel[2]));
 }
 
-/// How it was aligned; "" if it was not.
+}  // namespace
+
 std::string alignment_text(Language language, const Alignment& a) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
-  if (a.scaled) add(say(language, Word::grade_scaled));
-  if (a.cut) add(say(language, Word::grade_cut, a.left, a.top));
+  if (a.unpainted) add(say(language, Word::grade_unpainted));
+  if (a.transposed) add(say(language, Word::grade_transposed));
   if (a.flipped) add(say(language, Word::grade_turned));
+  if (a.scaled)
+    add(say(language, Word::grade_scaled, percent(language, a.across), percent(language, a.down)));
+  if (a.cut)
+    add(say(language, Word::grade_cut, decimal(language, a.left, 1), decimal(language, a.top, 1)));
   if (a.swapped) add(say(language, Word::grade_swapped));
   if (a.curve != Alignment::Curve::none) add(say(language, Word::grade_curve));
   return text.empty() ? text : say(language, Word::grade_aligned, text);
 }
 
+namespace {
+
 bool costs_nothing(const Grader& grader, const StageGrade& stage) {
-  return std::any_of(stage.mistakes.begin(), stage.mistakes.end(),
-                     [&](Mistake mistake) { return grader.rubric().allowed.contains(mistake); });
+  const auto allowed = [&](Mistake mistake) { return grader.rubric().allowed.contains(mistake); };
+  const auto &first = stage.mistakes.begin(), &last = stage.mistakes.end();
+  return stage.both ? std::all_of(first, last, allowed) : std::any_of(first, last, allowed);
 }
 
 Json json_of(Language language, const Grader& grader, const StageGrade& stage) {
@@ -61,6 +69,8 @@ Json json_of(Language language, const Grader& grader, const StageGrade& stage) {
           {"verdict", key_of(stage.verdict)},
           {"mistakes", std::move(mistakes)},
           {"aligned", alignment_text(language, stage.alignment)},
+          {"both", stage.both},
+          {"visible", stage.alignment.visible},
           {"share_wrong", stage.share_wrong},
           {"share_left", stage.share_left},
           {"pixels", std::move(pixels)}};
@@ -83,12 +93,13 @@ std::string marks_text(Language language, double marks) {
 }
 
 std::string_view key_of(Verdict verdict) {
-  constexpr std::string_view kKeys[] = {"right", "mistaken", "differs", "missing", "unreadable"};
+  constexpr std::string_view kKeys[] = {"right",   "mistaken", "probably",
+                                        "unknown", "missing", "unreadable"};
   return kKeys[static_cast<std::size_t>(verdict)];
 }
 
 char sign_of(Verdict verdict) {
-  return "+!?-x"[static_cast<std::size_t>(verdict)];
+  return "+!~?-x"[static_cast<std::size_t>(verdict)];
 }
 
 std::vector<std::string> findings(Language language, const Grader& grader,
@@ -98,8 +109,13 @@ std::vector<std::string> findings(Language language, const Grader& grader,
     case Verdict::right:
       lines.emplace_back(text_of(language, Word::grade_right));
       break;
-    case Verdict::differs:
+    case Verdict::unknown:
       lines.push_back(say(language, Word::grade_differs, percent(language, stage.share_wrong)));
+      break;
+    case Verdict::probable:
+      lines.push_back(say(language, Word::grade_probable, text_of(language, stage.mistakes[0])));
+      lines.push_back(say(language, Word::grade_unexplained, percent(language, stage.share_wrong),
+                          percent(language, stage.share_left)));
       break;
     case Verdict::missing:
       lines.emplace_back(text_of(language, Word::grade_missing));
@@ -111,7 +127,9 @@ std::vector<std::string> findings(Language language, const Grader& grader,
     case Verdict::mistaken:
       for (std::size_t i = 0; i < stage.mistakes.size(); ++i) {
         const std::string text(text_of(language, stage.mistakes[i]));
-        lines.push_back(i == 0 ? text : say(language, Word::grade_or, text));
+        lines.push_back(i == 0       ? text
+                        : stage.both ? say(language, Word::grade_and, text)
+                                     : say(language, Word::grade_or, text));
       }
       if (costs_nothing(grader, stage))
         lines.emplace_back(text_of(language, Word::grade_allowed));
@@ -122,11 +140,13 @@ std::vector<std::string> findings(Language language, const Grader& grader,
   }
   if (const std::string text = alignment_text(language, stage.alignment); !text.empty())
     lines.push_back(text);
+  if (stage.alignment.visible < 0.995)
+    lines.push_back(say(language, Word::grade_visible, percent(language, stage.alignment.visible)));
   if (!stage.pixels.empty()) {
     const PixelPair& pair = stage.pixels.front();
     lines.push_back(say(language, Word::grade_pixel, fmt::format("({}, {})", pair.x, pair.y),
                         bytes(pair.a), bytes(pair.b)));
-    if (stage.verdict == Verdict::mistaken)
+    if (!stage.mistakes.empty())
       if (const std::optional<ToldApart> apart = grader.told_apart(stage)) {
         lines.push_back(say(language, Word::grade_right_pixel, in_words(language, apart->right)));
         lines.push_back(

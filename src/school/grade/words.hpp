@@ -16,6 +16,9 @@ std::string marks_text(Language language, double marks);
 std::string_view key_of(Verdict verdict);
 char sign_of(Verdict verdict);
 
+/// How a picture was aligned; "" if it was not.
+std::string alignment_text(Language language, const Alignment& alignment);
+
 /// What was found out about a stage, line by line; the first says what it is.
 std::vector<std::string> findings(Language language, const Grader& grader, const StageGrade& stage);
 

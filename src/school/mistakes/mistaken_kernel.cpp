@@ -8,7 +8,10 @@
 namespace zraka::ZRAKA_ISA {
 
 MistakenSteps steps_for(const TraceSettings& settings) {
-  return {{{}, static_cast<Mistake>(settings.variation), settings.unit}};
+  return {{{},
+           first_of_number(settings.variation),
+           second_of_number(settings.variation),
+           settings.unit}};
 }
 
 void mistaken_tile(const FrozenScene<float>& scene, const TraceSettings& settings,

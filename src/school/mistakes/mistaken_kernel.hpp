@@ -1,8 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// The engine with MistakenSteps; TraceSettings::variation is the Mistake.
+// The engine with MistakenSteps; TraceSettings::variation is the mistake, or two of them.
 #pragma once
 
+#include <zraka/school/mistakes.hpp>
+
 #include "engine/engine.hpp"
+
+namespace zraka {
+
+/// Two mistakes in one number, and back.
+inline int number_of(Mistake first, Mistake second) {
+  return static_cast<int>(first) | static_cast<int>(second) << 8;
+}
+inline Mistake first_of_number(int number) {
+  return static_cast<Mistake>(number & 0xFF);
+}
+inline Mistake second_of_number(int number) {
+  return static_cast<Mistake>(number >> 8);
+}
+
+}  // namespace zraka
 
 namespace zraka::isa_portable {
 

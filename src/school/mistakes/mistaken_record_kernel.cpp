@@ -10,7 +10,10 @@ void record_mistaken_tile(const FrozenScene<float>& scene, const TraceSettings& 
                           float* pixels, std::size_t stride, Recording<float>& recording) {
   trace_tile<WideLanes>(
       scene, settings, tile, workspace, counts, pixels, stride, Record<WideLanes>(recording),
-      MistakenSteps{{{}, static_cast<Mistake>(settings.variation), settings.unit}});
+      MistakenSteps{{{},
+                     first_of_number(settings.variation),
+                     second_of_number(settings.variation),
+                     settings.unit}});
 }
 
 }  // namespace zraka::ZRAKA_ISA

@@ -11,9 +11,9 @@
 namespace zraka::ZRAKA_ISA {
 
 struct MistakenRules : Rules {
-  Mistake mistake = Mistake::none;
+  Mistake made = Mistake::none, also = Mistake::none;
   float unit = 1;  ///< length of the engine's unit in the scene's
-  ZRAKA_INLINE bool is(Mistake other) const { return mistake == other; }
+  ZRAKA_INLINE bool is(Mistake mistake) const { return mistake == made || mistake == also; }
 
   template <class L, class Scene>
   void find_nearest(const Scene& scene, RayGroup<L>& rays) const {
@@ -33,6 +33,10 @@ struct MistakenRules : Rules {
   template <class F, class M>
   ZRAKA_INLINE V3<F> seen_normal(const V3<F>& outward, M inside) const {
     if (is(Mistake::normal_outward) || is(Mistake::normal_for_refraction)) return outward;
+    if (is(Mistake::view_reversed)) {
+      const V3<F> seen = Rules::seen_normal(outward, inside);
+      return {-seen.x, -seen.y, -seen.z};
+    }
     return Rules::seen_normal(outward, inside);
   }
   ZRAKA_INLINE bool turns_for_refraction() const {
@@ -69,11 +73,13 @@ struct MistakenRules : Rules {
   template <class F>
   ZRAKA_INLINE V3<F> mirrored(const V3<F>& l, const V3<F>& normal, F l_n) const {
     const V3<F> r = Rules::mirrored(l, normal, l_n);
+    if (is(Mistake::mirror_sum)) return normal * (l_n + l_n) + l;
     return is(Mistake::mirror_reversed) ? -r : r;
   }
   template <class F, class Distance>
   ZRAKA_INLINE F r_v(const V3<F>& r, const V3<F>& v, const V3<F>& l, const V3<F>& normal,
                      const Distance& to_viewer) const {
+    if (is(Mistake::view_reversed)) return -dot(r, v);
     if (is(Mistake::view_not_unit)) return dot(r, v) * (to_viewer() * F(unit));
     if (!is(Mistake::half_vector)) return dot(r, v);
     const V3<F> between = l + v;
@@ -95,7 +101,7 @@ struct MistakenRules : Rules {
       const F sign = select(r_v < F(0), select(even, F(1), select(whole, F(-1), F(0))), F(1));
       return size * sign;
     }
-    if (is(Mistake::light_not_unit) || is(Mistake::view_not_unit)) {
+    if (is(Mistake::light_not_unit) || is(Mistake::view_not_unit) || is(Mistake::mirror_sum)) {
       // A base above 1 grows with its power: no more than what any clamp makes white.
       const F base = max(r_v, F(0));
       const F inverse = power(min(F(1) / max(base, F(1)), F(1)), shininess);

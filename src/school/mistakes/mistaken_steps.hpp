@@ -14,6 +14,7 @@ struct MistakenSteps : MistakenRules {
   void trace_shadow_rays(const FrozenScene<R>& scene, std::size_t shadow_rays,
                          Scratch<R>& scratch) const {
     ZRAKA_ISA::trace_shadow_rays<L>(scene, shadow_rays, scratch);
+    if (is(Mistake::shadows_at_first)) light_later_hits(scene, shadow_rays, scratch);
     if (is(Mistake::feeler_overwrites)) move_hits_to_blockers<L>(scene, shadow_rays, scratch);
   }
 
@@ -22,6 +23,7 @@ struct MistakenSteps : MistakenRules {
                  Level<R>& level, Scratch<R>& scratch, const Recorder& record,
                  const Ruling& rules) const {
     if (is(Mistake::shadow_takes_ambient)) blacken_shadows<L>(level, scratch);
+    if (is(Mistake::shadow_half)) add_half_light<L>(light, terms, level, scratch, rules);
     if (!is(Mistake::shadow_leaves_specular)) {
       ZRAKA_ISA::add_light<L>(light, terms, level, scratch, record, rules);
       return;
@@ -51,6 +53,34 @@ struct MistakenSteps : MistakenRules {
   template <class R>
   static bool faces_light(const Scratch<R>& s, std::size_t h) {
     return s.lx[h] * s.nx[h] + s.ly[h] * s.ny[h] + s.lz[h] * s.nz[h] >= 0;
+  }
+
+  /// Hits that are not seen from the eye count as lit, though they are blocked.
+  template <class R>
+  static void light_later_hits(const FrozenScene<R>& scene, std::size_t shadow_rays,
+                               Scratch<R>& scratch) {
+    for (std::size_t i = 0; i < shadow_rays; ++i) {
+      const auto h = static_cast<std::size_t>(scratch.shadow_ray_hit[i]);
+      const R x = scratch.px[h] - scene.camera.eye.x, y = scratch.py[h] - scene.camera.eye.y,
+              z = scratch.pz[h] - scene.camera.eye.z;
+      const R along = -(x * scratch.vx[h] + y * scratch.vy[h] + z * scratch.vz[h]);
+      const R squared = x * x + y * y + z * z;
+      const bool seen = along > 0 && along * along >= squared * R(0.99999);
+      if (!seen) scratch.lit[h] = R(1);
+    }
+  }
+
+  /// Half of a light for the hits that it does not reach.
+  template <class L, class R, class Ruling>
+  static void add_half_light(const FrozenLight<R>& light, const Terms& terms, Level<R>& level,
+                             Scratch<R>& scratch, const Ruling& rules) {
+    const auto n = static_cast<std::size_t>(level.hit_count);
+    for (std::size_t h = 0; h < n; ++h)
+      scratch.lit[h] = scratch.lit[h] > 0 ? R(-1) : faces_light(scratch, h) ? R(1) : R(0);
+    FrozenLight<R> half = light;
+    half.color = half.color * R(0.5);
+    ZRAKA_ISA::add_light<L>(half, terms, level, scratch, NoRecord{}, rules);
+    for (std::size_t h = 0; h < n; ++h) scratch.lit[h] = scratch.lit[h] < 0 ? R(1) : R(0);
   }
 
   /// The stored hit becomes the one that its shadow ray has found.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <zraka/school/mistakes.hpp>
 
@@ -46,6 +47,38 @@ void misread(Scene& scene, Mistake mistake, const Terms& terms) {
     case Mistake::x_mirrored:
       scene.camera.window_right = negative(scene.camera.window_right);
       break;
+    case Mistake::transposed:
+      std::tie(scene.camera.window_right, scene.camera.window_up) =
+          std::pair(negative(scene.camera.window_up), negative(scene.camera.window_right));
+      break;
+    case Mistake::shifted: {
+      // A column and a row on.
+      const auto on = [](Vec3& point, const Vec3& by, double share) {
+        point = {point.x + share * by.x, point.y + share * by.y, point.z + share * by.z};
+      };
+      on(scene.camera.window_center, scene.camera.window_right, 1.0 / scene.resolution.width);
+      on(scene.camera.window_center, scene.camera.window_up, -1.0 / scene.resolution.height);
+      break;
+    }
+    case Mistake::view_narrow:
+    case Mistake::view_wide: {
+      const double by = mistake == Mistake::view_narrow ? 0.5 : 2;
+      for (Vec3* side : {&scene.camera.window_right, &scene.camera.window_up})
+        *side = {side->x * by, side->y * by, side->z * by};
+      break;
+    }
+    case Mistake::eye_reversed:
+      scene.camera.eye.z = -scene.camera.eye.z;
+      break;
+    case Mistake::light_z_reversed:
+      for (Light& light : scene.lights) light.position.z = -light.position.z;
+      break;
+    case Mistake::exponent_halved:
+      each_material([](Material& m) { m.shininess /= 2; });
+      break;
+    case Mistake::exponent_fourfold:
+      each_material([](Material& m) { m.shininess *= 4; });
+      break;
     case Mistake::ambient_unscaled:
       scene.ambient_light = {1, 1, 1};
       break;
@@ -90,6 +123,7 @@ void vary_options(RenderOptions& options, Mistake mistake) {
       options.max_depth = std::min(options.max_depth + 1, kMaxDepth);
       break;
     case Mistake::clamp_at_end:
+    case Mistake::bytes_overflow:
       options.profile.clamp_levels = false;
       break;
     case Mistake::total_mirrored:
@@ -105,25 +139,51 @@ void apply_mistake(Image& image, Mistake mistake) {
   if (mistake == Mistake::red_and_blue)
     for (std::size_t i = 0; i + 2 < image.pixels.size(); i += 3)
       std::swap(image.pixels[i], image.pixels[i + 2]);
+  if (mistake == Mistake::bytes_overflow)
+    for (float& value : image.pixels) {
+      const double byte = std::floor(std::clamp(static_cast<double>(value), 0.0, 1e6) * 255 + 0.5);
+      value = static_cast<float>(std::fmod(byte, 256) / 255);
+    }
   if (mistake == Mistake::gamma_applied)
     for (float& value : image.pixels)
       value = static_cast<float>(std::pow(std::max(static_cast<double>(value), 0.0), 1 / 2.2));
 }
 
-Variation variation_of(Mistake mistake, const RenderOptions& options) {
-  if (mistake == Mistake::none) return {};
-  const MistakeEntry& entry = entry_of(mistake);
-  return {.number = static_cast<int>(mistake),
+Variation variation_of(const MistakenBy& by, const RenderOptions& options) {
+  if (by == MistakenBy{}) return {};
+  const Mistake one = by.first != Mistake::none ? by.first : by.second,
+                other = one == by.first ? by.second : Mistake::none;
+  VariedRules rules;
+  for (const Mistake mistake : {one, other}) {
+    if (mistake == Mistake::none) continue;
+    const MistakeEntry& entry = entry_of(mistake);
+    const auto add = [](std::string& to, const char* between, std::string_view more) {
+      to += (to.empty() ? "" : between) + std::string(more);
+    };
+    add(rules.key, "+", entry.key);
+    add(rules.english, "; ", entry.english);
+    add(rules.croatian, "; ", entry.croatian);
+    rules.white_when_total = rules.white_when_total || mistake == Mistake::total_white;
+  }
+  return {.number = number_of(one, other),
           .kernel = &isa_portable::kMistakenKernel,
           .record = isa_portable::record_mistaken_tile,
-          .vary_scene = [mistake,
-                         terms = options.terms](Scene& scene) { misread(scene, mistake, terms); },
-          .vary_options = [mistake](RenderOptions& varied) { vary_options(varied, mistake); },
-          .vary_image = [mistake](Image& image) { apply_mistake(image, mistake); },
-          .rules = {.key = std::string(entry.key),
-                    .english = std::string(entry.english),
-                    .croatian = std::string(entry.croatian),
-                    .white_when_total = mistake == Mistake::total_white}};
+          .vary_scene =
+              [one, other, terms = options.terms](Scene& scene) {
+                misread(scene, one, terms);
+                misread(scene, other, terms);
+              },
+          .vary_options =
+              [one, other](RenderOptions& varied) {
+                vary_options(varied, one);
+                vary_options(varied, other);
+              },
+          .vary_image =
+              [one, other](Image& image) {
+                apply_mistake(image, one);
+                apply_mistake(image, other);
+              },
+          .rules = rules};
 }
 
 }  // namespace
@@ -134,19 +194,19 @@ std::string_view text_of(Language language, Mistake mistake) {
 }
 
 Result<Rendering> render_mistaken(const Scene& scene, const RenderOptions& options,
-                                  Mistake mistake) {
-  if (mistake == Mistake::none) return render(scene, options);
-  return render_varied(scene, options, variation_of(mistake, options));
+                                  const MistakenBy& by) {
+  if (by == MistakenBy{}) return render(scene, options);
+  return render_varied(scene, options, variation_of(by, options));
 }
 
 Result<Explainer> mistaken_explainer(const Scene& scene, const RenderOptions& options,
-                                     Mistake mistake) {
-  return varied_explainer(scene, options, variation_of(mistake, options));
+                                     const MistakenBy& by) {
+  return varied_explainer(scene, options, variation_of(by, options));
 }
 
 Result<Explanation> explain_mistaken(const Scene& scene, const RenderOptions& options,
-                                     Mistake mistake, std::uint32_t x, std::uint32_t y) {
-  Result<Explainer> explainer = mistaken_explainer(scene, options, mistake);
+                                     const MistakenBy& by, std::uint32_t x, std::uint32_t y) {
+  Result<Explainer> explainer = mistaken_explainer(scene, options, by);
   if (!explainer) return tl::make_unexpected(explainer.error());
   return explainer->pixel(x, y);
 }

@@ -28,21 +28,29 @@ Rubric default_rubric();
 /// From JSON (docs/grade.md). Fails with the place of what is wrong.
 Result<Rubric> read_rubric(const std::string& path);
 
-/// How a submission had to be brought into line; none of it costs marks.
+/// How a submission had to be brought into line; none of it costs marks where nothing else is left.
 struct Alignment {
   bool flipped = false;                                        ///< upside down
+  bool transposed = false;                                     ///< rows for columns
   bool swapped = false;                                        ///< red and blue
   enum class Curve { none, srgb, power } curve = Curve::none;  ///< taken back from the colours
-  bool scaled = false;                                         ///< another size of the same shape
-  bool cut = false;  ///< a part of a window; the picture begins at left, top in it
-  std::int32_t left = 0, top = 0;
-  bool plain() const { return !flipped && !swapped && curve == Curve::none && !scaled && !cut; }
+  bool unpainted = false;  ///< a grid of lines that the program left out on a scaled screen
+  bool scaled = false;     ///< it has another size
+  bool cut = false;        ///< a part of a window, or a part of the picture
+  double across = 1, down = 1;  ///< its pixels for one of the right picture
+  double left = 0, top = 0;     ///< where the picture begins in it
+  double visible = 1;           ///< the share of the picture that was handed in, and judged
+  bool plain() const {
+    return !flipped && !transposed && !swapped && curve == Curve::none && !unpainted && !scaled &&
+           !cut;
+  }
 };
 
 enum class Verdict {
   right,
-  mistaken,  ///< one of the catalogue's mistakes makes this picture
-  differs,   ///< none does
+  mistaken,  ///< one of the catalogue's mistakes, or two, make this picture: nothing is left
+  probable,  ///< one explains most of what differs, and something is left
+  unknown,   ///< it differs, and no known mistake explains that
   missing,
   unreadable
 };
@@ -53,14 +61,20 @@ struct StageGrade {
   Verdict verdict = Verdict::missing;
   double marks = 0, of = 0;
   Alignment alignment{};
-  /// Those that make the picture; several where the scene cannot tell them apart.
+  /// Those that make the picture; several where it cannot tell them apart, or two at once.
   std::vector<Mistake> mistakes{};
+  bool both = false;       ///< two at once
   bool repeated = false;   ///< the mistake was there in an earlier stage
   double share_wrong = 0;  ///< pixels that differ from the right picture
   double share_left = 0;   ///< pixels that differ from what is named
   std::vector<PixelPair>
       pixels{};            ///< a: the submission, b: the right picture, where they differ first
   Diagnostics problems{};  ///< of an unreadable file
+  /// What is shown and explained as named.
+  MistakenBy named() const {
+    if (mistakes.empty()) return {};
+    return both ? MistakenBy(mistakes[0], mistakes[1]) : MistakenBy(mistakes[0]);
+  }
   /// As it was compared; what was cut off of it is the right picture's. Empty where there is none.
   Image aligned{};
 };
@@ -92,11 +106,12 @@ class Grader {
   /// stage that it is nearest to. Never fails: what is wrong stands in the grade.
   Grade grade(const std::string& path, Links links = Links::follow) const;
 
-  /// The picture of a stage as an 8 bit file has it, right or with a mistake.
-  Image picture(int stage, Mistake mistake = Mistake::none) const;
+  /// The picture of a stage as an 8 bit file has it, right or with mistakes.
+  Image picture(int stage, const MistakenBy& by = {}) const;
   const Rubric& rubric() const;
 
-  /// The pixel that the named mistake changes most. None where no mistake is named.
+  /// The first of the stage's pixels, right and as the named mistakes make it. None where none is
+  /// named.
   std::optional<ToldApart> told_apart(const StageGrade& stage) const;
 
  private:

@@ -32,15 +32,23 @@ const std::vector<MistakeEntry>& all_mistakes();
 const MistakeEntry& entry_of(Mistake mistake);
 std::optional<Mistake> mistake_named(std::string_view key);
 
-/// render() as a program does that makes the mistake. Fails where render() does, and for
+/// What a program does wrong: nothing, one mistake, or two at once.
+struct MistakenBy {
+  Mistake first = Mistake::none, second = Mistake::none;
+  MistakenBy(Mistake one = Mistake::none, Mistake other = Mistake::none)
+      : first(one), second(other) {}
+  friend bool operator==(const MistakenBy&, const MistakenBy&) = default;
+};
+
+/// render() as a program does that makes the mistakes. Fails where render() does, and for
 /// Isa::oracle.
 Result<Rendering> render_mistaken(const Scene& scene, const RenderOptions& options,
-                                  Mistake mistake);
+                                  const MistakenBy& by);
 /// Explainer::create() for such a picture.
 Result<Explainer> mistaken_explainer(const Scene& scene, const RenderOptions& options,
-                                     Mistake mistake);
+                                     const MistakenBy& by);
 /// explain() for a pixel of such a picture.
 Result<Explanation> explain_mistaken(const Scene& scene, const RenderOptions& options,
-                                     Mistake mistake, std::uint32_t x, std::uint32_t y);
+                                     const MistakenBy& by, std::uint32_t x, std::uint32_t y);
 
 }  // namespace zraka

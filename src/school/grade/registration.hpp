@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the right picture lies in what was handed in: found by outlines, which mistakes of light
+// and colour leave where they are.
+#pragma once
+
+#include "school/grade/resample.hpp"
+
+namespace zraka {
+
+/// Where a picture lies in a submission that was turned first: columns and rows change places, then
+/// top and bottom.
+struct Position {
+  bool transposed = false, flipped = false;
+  GridPlacement placement;
+  double likeness = -1;  ///< correlation of outlines, at most 1
+};
+
+/// Outlines of a picture: how much its colours change, compressed.
+Grid outlines(const Image& image);
+
+/// What is searched for.
+class Template {
+ public:
+  Template() = default;
+  /// From pictures of the same size that show the same silhouettes.
+  explicit Template(const std::vector<const Image*>& pictures);
+  /// Positions in a submission that may be right, the plainest first: at least one. Scales from 0.5
+  /// to 3 are tried, axes up to 7 % apart.
+  std::vector<Position> find(const Image& submission) const;
+
+ private:
+  Grid outlines_;
+};
+
+}  // namespace zraka
