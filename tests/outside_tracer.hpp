@@ -16,7 +16,7 @@ namespace zraka::outside {
 enum class Slip {
   none,
   no_ambient,
-  ambient_double,
+  ambient_triple,
   ambient_is_diffuse,
   diffuse_squared,
   diffuse_wrapped,
@@ -50,7 +50,7 @@ enum class Slip {
 
 constexpr std::string_view kNames[] = {"none",
                                        "no ambient",
-                                       "ambient twice",
+                                       "ambient three times",
                                        "kd for ka",
                                        "diffuse squared",
                                        "diffuse wrapped",
@@ -164,7 +164,7 @@ class Tracer {
     const Vector ia = of(scene_.ambient_light);
     Vector sum = ia * of(is(Slip::ambient_is_diffuse) ? m.diffuse : m.ambient);
     if (is(Slip::no_ambient) && stage_ > 2) sum = {};
-    if (is(Slip::ambient_double)) sum = 2 * sum;
+    if (is(Slip::ambient_triple)) sum = 3 * sum;
     if (stage_ < 3) return sum;
     for (const auto& light : scene_.lights) {
       const Vector way = Vector{light.position.x, light.position.y, light.position.z} - point;
@@ -182,7 +182,7 @@ class Tracer {
       if (stage_ < 4 || facing < 0) continue;
       const double r_v = (2 * facing * n - l).dot(v);
       if (r_v < 0) continue;
-      double shine = std::pow(r_v, is(Slip::exponent_fixed) ? 40 : m.shininess);
+      double shine = std::pow(r_v, is(Slip::exponent_fixed) ? 120 : m.shininess);
       if (is(Slip::specular_times_facing)) shine *= facing;
       if (is(Slip::specular_third)) shine /= 3;
       Vector ks = of(m.specular);

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments : RenderArguments {
-  std::string submission, rubric, format, language = "en", output = "-";
+  std::string submission, stage, rubric, format, language = "en", output = "-";
   bool all = false, list = false;
 };
 
@@ -87,12 +87,14 @@ int run(const Arguments& arguments) {
   const Result<Grader> grader = Grader::create(*scene, arguments.options(*scene), *rubric);
   if (!grader) return fail(grader.error());
   const std::string format = format_of(arguments.format, arguments.output);
+  const int stage =
+      arguments.stage.empty() ? 0 : static_cast<int>(*stage_named(arguments.stage));
   std::vector<Grade> grades(paths.size());
   tbb::parallel_for(std::size_t{0}, paths.size(), [&](std::size_t i) {
-    grades[i] = grader->grade(paths[i], arguments.all ? Links::refuse : Links::follow);
+    grades[i] = grader->grade(paths[i], arguments.all ? Links::refuse : Links::follow, stage);
     if (arguments.all) grades[i].name = fs::path(paths[i]).filename().string();
     if (arguments.all || format != "html")
-      for (StageGrade& stage : grades[i].stages) stage.aligned = {};
+      for (StageGrade& judged : grades[i].stages) judged.aligned = {};
   });
   std::string text;
   if (format == "json") {
@@ -125,21 +127,28 @@ void add_grade(Command& program) {
       "grade", "mark pictures of the lab's stages, and name the cause of what is wrong");
   arguments->add_to(app, Needs::perhaps);
   app.add("SUBMISSION", &arguments->submission,
-          "a picture, or a folder or zip archive of pictures called 1 to 7 or by their "
-          "stage");
+          "a picture, or a folder, a zip archive or a .docx of pictures, best called 1 to 7 or by "
+          "their stage");
   app.add("--all", &arguments->all, "SUBMISSION is a class's folder: mark all that is in it");
   app.add("--list", &arguments->list, "print the mistakes that can be named, and do nothing else");
+  app.add("--stage", &arguments->stage,
+          "what SUBMISSION is of, whatever it is called: 1…7, or silhouette, ambient, diffuse,\n"
+          "specular, shadows, reflection, refraction")
+      .check(
+          "a stage: 1…7, silhouette, ambient, diffuse, specular, shadows, reflection or refraction",
+          [](const std::string& name) { return stage_named(name).has_value(); });
   app.add("--rubric", &arguments->rubric, "a JSON file with marks, tolerances and what is allowed");
   app.add("-o,--output", &arguments->output, "the file to write; - (default) is standard output");
   add_format_to(app, arguments->format);
   add_language_to(app, arguments->language);
   app.footer(
-      "Upside down, red and blue swapped, gamma, JPEG, scaled screenshots and window frames are\n"
-      "found out and cost nothing. docs/grade.md explains the marks.\n\n"
+      "Upside down, red and blue swapped, gamma, JPEG, crops, scaled screenshots and window frames\n"
+      "are found out and cost nothing. docs/grade.md explains the marks, and how sure they are.\n\n"
       "Examples:\n"
       "  zraka grade input.txt ana-anic/\n"
       "  zraka grade input.txt slika.png --lang hr\n"
       "  zraka grade input.txt ana-anic.zip -o ana-anic.html\n"
+      "  zraka grade input.txt IMG_2026.png --stage shadows\n"
       "  zraka grade input.txt class/ --all --rubric rubric.json\n"
       "  zraka grade --list");
   app.check([arguments] {

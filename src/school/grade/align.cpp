@@ -167,10 +167,11 @@ bool is_flat(const Image& image, const Region& region) {
 
 Closeness closeness_of(const Fitted& fitted, bool jpeg, const Rubric& rubric) {
   const auto own = static_cast<float>((rubric.tolerance + 0.5) / 255);
-  if (fitted.exact && !jpeg) return {0, 0, own, rubric.share};
+  if (fitted.exact && !jpeg) return {0, 0, own, rubric.share, 1};
   const double share = std::max(rubric.share, 0.01);
-  if (fitted.exact) return {1, 1, own + 6.0F / 255, share};
-  return {1, 1, own + (jpeg ? 7.0F : 2.0F) / 255, share};
+  constexpr double kBiased = 0.05;
+  if (fitted.exact) return {1, 1, own + 6.0F / 255, share, kBiased};
+  return {1, 1, own + (jpeg ? 7.0F : 2.0F) / 255, share, kBiased};
 }
 
 Image smoothed(const Image& image, unsigned times) {
@@ -192,6 +193,36 @@ Image smoothed(const Image& image, unsigned times) {
   }
   return out;
 }
+
+namespace {
+
+/// The share of blocks whose means differ, by more than what an edge in them excuses.
+double biased_blocks(const Image& picture, const Image& soft, const Image& least,
+                     const Image& most, const Region& region) {
+  constexpr std::uint32_t kBlock = 8;
+  constexpr double kBias = 3.0 / 255, kOfRange = 0.15;
+  int all = 0, biased = 0;
+  for (std::uint32_t y0 = region.top; y0 + kBlock <= region.bottom; y0 += kBlock)
+    for (std::uint32_t x0 = region.left; x0 + kBlock <= region.right; x0 += kBlock) {
+      std::array<double, 3> difference{}, range{};
+      for (std::uint32_t y = y0; y < y0 + kBlock; ++y)
+        for (std::uint32_t x = x0; x < x0 + kBlock; ++x)
+          for (std::size_t c = 0; c < 3; ++c) {
+            const std::size_t i = std::size_t{3} * x + c;
+            difference[c] += static_cast<double>(picture.row(y)[i] - soft.row(y)[i]);
+            range[c] += static_cast<double>(most.row(y)[i] - least.row(y)[i]);
+          }
+      bool far = false;
+      for (std::size_t c = 0; c < 3; ++c)
+        far = far || std::fabs(difference[c]) >
+                         kBias * kBlock * kBlock + kOfRange * range[c];
+      ++all;
+      biased += far;
+    }
+  return all > 0 ? static_cast<double>(biased) / all : 0;
+}
+
+}  // namespace
 
 Rest rest_of(const Image& picture, const Image& other, const Region& region,
              const Closeness& close) {
@@ -230,6 +261,7 @@ Rest rest_of(const Image& picture, const Image& other, const Region& region,
     }
     energy += static_cast<double>(of_row);
   }
+  if (close.blur > 0) rest.biased = biased_blocks(picture, soft, least, most, region);
   const double pixels = std::max(1.0, region.pixels());
   rest.share = beyond / pixels;
   rest.energy = energy / (3 * pixels);

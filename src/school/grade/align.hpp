@@ -60,6 +60,7 @@ struct Closeness {
   unsigned reach = 0;     ///< values between those of pixels up to here apart are right
   float tolerance = 0;    ///< and those this far outside
   double share = 0.005;   ///< of the pixels that are farther outside
+  double biased = 1;      ///< and of the blocks that are lighter or darker as a whole
 };
 Closeness closeness_of(const Fitted& fitted, bool jpeg, const Rubric& rubric);
 
@@ -70,6 +71,7 @@ Image smoothed(const Image& image, unsigned times);
 struct Rest {
   double share = 0;   ///< pixels that differ by more than what is close
   double energy = 0;  ///< mean of the squares of what is beyond
+  double biased = 0;  ///< blocks of 8×8 pixels whose means differ: alterations leave these
 };
 /// `picture` has been smoothed.
 Rest rest_of(const Image& picture, const Image& other, const Region& region,

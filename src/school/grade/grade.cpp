@@ -23,10 +23,11 @@ struct Grader::Impl {
   Registered registered(const ReadImage& read) const {
     const Image& right = pictures->right(7);
     return {fit(read.image, pictures->outlines(), right.width, right.height),
-            read.format == "JPEG"};
+            read.format == "JPEG", &read.image};
   }
   StageGrade judge_one(int stage, const std::string& file, const Result<ReadImage>& submitted,
                        const std::set<Mistake>& known = {}) const;
+  int stage_of(const SubmittedPicture& picture, const Registered& found) const;
   StageGrade judge_alone(const SubmittedPicture& picture, const Result<ReadImage>& image) const;
   std::vector<StageGrade> judge_all(const std::vector<SubmittedPicture>& submitted) const;
 };
@@ -44,15 +45,22 @@ StageGrade Grader::Impl::judge_one(int stage, const std::string& file,
   return grade;
 }
 
+/// A word in the name tells the stage; a number does so where the picture is right in no other one.
+int Grader::Impl::stage_of(const SubmittedPicture& picture, const Registered& found) const {
+  if (picture.stage != 0 && picture.stage_is_sure) return picture.stage;
+  if (const int stage = right_stage(*pictures, found, picture.stage); stage != 0) return stage;
+  return picture.stage != 0 ? picture.stage : nearest_stage(*pictures, found);
+}
+
 /// A picture whose name says nothing is of the nearest stage; or of the last one, if that makes
 /// more of it.
 StageGrade Grader::Impl::judge_alone(const SubmittedPicture& picture,
                                      const Result<ReadImage>& image) const {
-  if (picture.stage != 0) return judge_one(picture.stage, picture.file, image);
   const Registered found = registered(*image);
-  StageGrade nearest = judge(*pictures, nearest_stage(*pictures, found), found);
-  if (nearest.verdict == Verdict::unknown && nearest.stage != 7) {
-    StageGrade last = judge(*pictures, 7, found);
+  const auto judged = [&](int stage) { return judge(*pictures, stage, found); };
+  StageGrade nearest = judged(stage_of(picture, found));
+  if (picture.stage == 0 && nearest.verdict == Verdict::unknown && nearest.stage != 7) {
+    StageGrade last = judged(7);
     if (last.verdict != Verdict::unknown) nearest = std::move(last);
   }
   nearest.file = picture.file;
@@ -67,13 +75,15 @@ std::vector<StageGrade> Grader::Impl::judge_all(
   std::array<std::vector<const SubmittedPicture*>, 8> of_stage;
   std::vector<StageGrade> unreadable;
   for (const SubmittedPicture& picture : submitted)
-    if (picture.stage >= 1 && picture.stage <= 7)
+    if (picture.stage >= 1 && picture.stage <= 7 && picture.stage_is_sure)
       of_stage[static_cast<std::size_t>(picture.stage)].push_back(&picture);
   for (const SubmittedPicture& picture : submitted) {
-    if (picture.stage != 0) continue;
+    if (picture.stage == kNoStage || (picture.stage != 0 && picture.stage_is_sure)) continue;
     const Result<ReadImage> image = read_picture(picture, kind());
     if (image)
-      of_stage[static_cast<std::size_t>(nearest_stage(*pictures, registered(*image)))].push_back(&picture);
+      of_stage[static_cast<std::size_t>(stage_of(picture, registered(*image)))].push_back(&picture);
+    else if (picture.stage != 0)
+      of_stage[static_cast<std::size_t>(picture.stage)].push_back(&picture);
     else
       unreadable.push_back(judge_one(7, picture.file, image));
   }
@@ -119,7 +129,7 @@ Image Grader::picture(int stage, const MistakenBy& by) const {
   return impl_->pictures->picture(stage, by);
 }
 
-Grade Grader::grade(const std::string& path, Links links) const {
+Grade Grader::grade(const std::string& path, Links links, int of) const {
   Grade grade{.name = path, .stages = {}, .problems = {}};
   for (const double marks : impl_->pictures->rubric().marks) grade.of += marks;
   try {
@@ -128,6 +138,11 @@ Grade Grader::grade(const std::string& path, Links links) const {
       grade.problems = pictures.error();
       return grade;
     }
+    if (of != 0)
+      for (SubmittedPicture& picture : *pictures) {
+        picture.stage = of;
+        picture.stage_is_sure = true;
+      }
     const bool alone = pictures->front().alone;
     if (alone && pictures->front().stage == kNoStage) {
       grade.problems = {problem(Severity::error, path,

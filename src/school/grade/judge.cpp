@@ -5,6 +5,7 @@
 #include "school/grade/judge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -27,7 +28,7 @@ constexpr double kMostOfPixels = 0.4, kMostOfSquares = 0.12, kNext = 2;
 /// A mistake may be one of two if it takes away this much of the squared differences.
 constexpr double kPartly = 0.1;
 /// Outlines that are less alike than this tell nothing.
-constexpr double kLike = 0.5;
+constexpr double kLike = 0.5, kSeen = 0.65;
 constexpr std::size_t kFirstOfTwo = 4, kPairs = 4;
 
 struct Match {
@@ -46,20 +47,25 @@ class Judge {
         fitted_(fitted),
         close_(closeness_of(fitted, jpeg, pictures.rubric())) {
     if (stage == 1) fitted_.image = as_silhouette(fitted_.image);
-    trim_plain_edges();
+    trim_frame();
     ways_ = ways_to_align();
     if (stage == 1) ways_.resize(1);
   }
 
   /// Two mistakes at once are only looked for where that is wanted.
   StageGrade verdict(const std::set<Mistake>* known);
+  bool is_right() {
+    take_way(0);
+    return compare_with_right();
+  }
 
  private:
-  void trim_plain_edges();
+  void trim_frame();
   std::vector<Match> nearest_by_few(const std::vector<Candidate>& candidates,
                                     const std::vector<std::size_t>& ways) const;
   void look_closely(std::vector<Match>& matches) const;
   void take_way(std::size_t way);
+  bool compare_with_right();
   std::size_t best_way(const std::vector<Match>& matches) const;
   bool explains(const Match& match) const;
   std::vector<const Match*> as_likely(const std::vector<Match>& matches) const;
@@ -78,33 +84,61 @@ class Judge {
   Match right_;
 };
 
-/// Rows and columns at the edges that have one colour in the submission, and not in the right
-/// picture, were not handed in: screenshots of windows have transparent ones.
-void Judge::trim_plain_edges() {
+/// Rows and columns at the edges that are mostly of one colour, which the right picture has not,
+/// are a frame over it, or were transparent: they were not handed in.
+void Judge::trim_frame() {
   Region& r = fitted_.region;
-  const auto plain = [](const Image& image, std::uint32_t x0, std::uint32_t x1, std::uint32_t y0,
-                        std::uint32_t y1) {
-    const float* first = image.row(y0) + std::size_t{3} * x0;
+  const std::uint32_t most_clear = std::max(3U, wanted_.width / 50);
+  const auto foreign = [&](std::uint32_t trimmed, std::uint32_t x0, std::uint32_t x1,
+                           std::uint32_t y0, std::uint32_t y1) {
+    std::array<std::vector<float>, 3> channels;
     for (std::uint32_t y = y0; y < y1; ++y)
       for (std::uint32_t x = x0; x < x1; ++x)
         for (std::size_t c = 0; c < 3; ++c)
-          if (std::fabs(image.row(y)[std::size_t{3} * x + c] - first[c]) > 0.03F) return false;
-    return true;
+          channels[c].push_back(fitted_.image.row(y)[std::size_t{3} * x + c]);
+    std::array<float, 3> middle{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::vector<float> sorted = channels[c];
+      const auto half = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+      std::nth_element(sorted.begin(), half, sorted.end());
+      middle[c] = *half;
+    }
+    std::size_t count = 0, same = 0, others = 0, i = 0;
+    for (std::uint32_t y = y0; y < y1; ++y)
+      for (std::uint32_t x = x0; x < x1; ++x, ++i) {
+        bool plain = true, other = false;
+        for (std::size_t c = 0; c < 3; ++c) {
+          plain = plain && std::fabs(channels[c][i] - middle[c]) < 0.03F;
+          other = other ||
+                  std::fabs(channels[c][i] - wanted_.row(y)[std::size_t{3} * x + c]) > 0.06F;
+        }
+        count += plain && other;
+        same += plain;
+        others += other;
+      }
+    // A line that is all of one colour may be a part of the background, if there are many.
+    return count * 10 > i * 6 || (same == i && others > 0 && trimmed < most_clear);
   };
-  const auto gone = [&](std::uint32_t x0, std::uint32_t x1, std::uint32_t y0, std::uint32_t y1) {
-    return plain(fitted_.image, x0, x1, y0, y1) && !plain(wanted_, x0, x1, y0, y1);
-  };
-  const std::uint32_t most = std::max(3U, wanted_.width / 50);
-  for (std::uint32_t i = 0; i < most && r.right - r.left > 16 && r.bottom - r.top > 16; ++i) {
-    bool any = false;
-    if (gone(r.left, r.right, r.top, r.top + 1)) ++r.top, any = true;
-    if (gone(r.left, r.right, r.bottom - 1, r.bottom)) --r.bottom, any = true;
-    if (gone(r.left, r.left + 1, r.top, r.bottom)) ++r.left, any = true;
-    if (gone(r.right - 1, r.right, r.top, r.bottom)) --r.right, any = true;
-    if (!any) break;
-    // What was scaled has mixed the next one with it.
-    if (!fitted_.exact && i == 0) r = {r.left + 1, r.top + 1, r.right - 1, r.bottom - 1};
-  }
+  const Region whole = r;
+  const std::uint32_t across = (r.right - r.left) / 7, down = (r.bottom - r.top) / 7;
+  while (r.top < whole.top + down &&
+         foreign(r.top - whole.top, r.left, r.right, r.top, r.top + 1))
+    ++r.top;
+  while (r.bottom > whole.bottom - down &&
+         foreign(whole.bottom - r.bottom, r.left, r.right, r.bottom - 1, r.bottom))
+    --r.bottom;
+  while (r.left < whole.left + across &&
+         foreign(r.left - whole.left, r.left, r.left + 1, r.top, r.bottom))
+    ++r.left;
+  while (r.right > whole.right - across &&
+         foreign(whole.right - r.right, r.right - 1, r.right, r.top, r.bottom))
+    --r.right;
+  // What was scaled has mixed the next one with it.
+  if (fitted_.exact) return;
+  r.left += r.left > whole.left;
+  r.top += r.top > whole.top;
+  r.right -= r.right < whole.right;
+  r.bottom -= r.bottom < whole.bottom;
 }
 
 std::vector<Match> Judge::nearest_by_few(const std::vector<Candidate>& candidates,
@@ -164,6 +198,7 @@ bool Judge::explains(const Match& match) const {
   const double least = 0.4 * close_.share;
   return match.rest.share <= std::max(least, kLeftOfWrong * wrong) &&
          match.rest.share <= std::max(least, kLeftOfAll) &&
+         match.rest.biased <= close_.biased &&
          match.rest.energy <= 0.1 * right_.rest.energy && match.distance < right_.distance;
 }
 
@@ -244,14 +279,16 @@ bool Judge::name_two(const std::vector<Match>& singles, const std::set<Mistake>&
   return true;
 }
 
+bool Judge::compare_with_right() {
+  const Image picture = through_scaling(wanted_, fitted_);
+  right_ = {nullptr, way_, mean_square(taken_, picture, fitted_.region),
+            rest_of(smooth_, picture, fitted_.region, close_)};
+  return right_.rest.share <= close_.share && right_.rest.biased <= close_.biased &&
+         shows(taken_, picture, fitted_.region);
+}
+
 StageGrade Judge::verdict(const std::set<Mistake>* known) {
   StageGrade grade{.stage = stage_};
-  const auto compare_with_right = [&] {
-    const Image picture = through_scaling(wanted_, fitted_);
-    right_ = {nullptr, way_, mean_square(taken_, picture, fitted_.region),
-              rest_of(smooth_, picture, fitted_.region, close_)};
-    return right_.rest.share <= close_.share && shows(taken_, picture, fitted_.region);
-  };
   const auto finish = [&]() -> StageGrade& {
     Image there = taken_;
     if (grade.verdict != Verdict::right) {
@@ -324,7 +361,30 @@ StageGrade judge(const StagePictures& pictures, int stage, const Registered& sub
     // A picture that may lie anywhere is rather where its outlines say.
     if (best == nullptr || fitted.likeness > std::max(best->likeness, kLike)) best = &fitted;
   }
-  return Judge(pictures, stage, *best, submitted.jpeg).verdict(&known);
+  StageGrade grade = Judge(pictures, stage, *best, submitted.jpeg).verdict(&known);
+  if (grade.verdict != Verdict::unknown || best->likeness >= kSeen) return grade;
+  // A window with a picture of another view.
+  for (const Mistake mistake : kOtherViews)
+    for (const Fitted& fitted :
+         fit(*submitted.handed_in, pictures.outlines_of(mistake), pictures.right(7).width,
+             pictures.right(7).height)) {
+      StageGrade other = Judge(pictures, stage, fitted, submitted.jpeg).verdict(nullptr);
+      if (other.verdict == Verdict::mistaken) return other;
+    }
+  return grade;
+}
+
+int right_stage(const StagePictures& pictures, const Registered& submitted, int named) {
+  const auto is_right = [&](int stage) {
+    return std::any_of(submitted.fitted.begin(), submitted.fitted.end(), [&](const Fitted& fitted) {
+      if (stage == 1 && !is_flat(fitted.image, fitted.region)) return false;
+      return Judge(pictures, stage, fitted, submitted.jpeg).is_right();
+    });
+  };
+  if (named != 0 && is_right(named)) return named;
+  for (int stage = 7; stage >= 1; --stage)
+    if (stage != named && is_right(stage)) return stage;
+  return 0;
 }
 
 int nearest_stage(const StagePictures& pictures, const Registered& submitted) {

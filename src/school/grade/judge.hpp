@@ -11,13 +11,17 @@ namespace zraka {
 struct Registered {
   std::vector<Fitted> fitted;  ///< where it may be, the plainest first
   bool jpeg = false;
+  const Image* handed_in = nullptr;
 };
 
 /// Judges it as one of the stage. `known` are the mistakes that earlier stages have shown.
 StageGrade judge(const StagePictures& pictures, int stage, const Registered& submitted,
                  const std::set<Mistake>& known = {});
 
-/// The stage whose right picture is nearest, with what is beyond for each in `rest`.
+/// A stage whose right picture it is, the named one if that is one of them; 0 where it is none.
+int right_stage(const StagePictures& pictures, const Registered& submitted, int named);
+
+/// The stage whose right picture is nearest.
 int nearest_stage(const StagePictures& pictures, const Registered& submitted);
 
 }  // namespace zraka

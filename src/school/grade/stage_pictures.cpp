@@ -105,6 +105,19 @@ const std::vector<Candidate>& StagePictures::mistaken_besides(int stage, Mistake
   return kept->pictures;
 }
 
+const Template& StagePictures::outlines_of(Mistake other_view) const {
+  const auto at = std::find(kOtherViews.begin(), kOtherViews.end(), other_view);
+  auto& [once, outlines] = views_[static_cast<std::size_t>(at - kOtherViews.begin())];
+  std::call_once(once, [&, to = &outlines] {
+    tbb::this_task_arena::isolate([&] {
+      const Image silhouette = picture(1, other_view), ambient = picture(2, other_view),
+                  whole = picture(7, other_view);
+      *to = Template({&silhouette, &silhouette, &ambient, &whole});
+    });
+  });
+  return outlines;
+}
+
 Image StagePictures::picture(int stage, const MistakenBy& by) const {
   if (by == MistakenBy{}) return right(stage);
   if (by.second == Mistake::none)

@@ -15,6 +15,10 @@ namespace zraka {
 /// Pictures are first compared at about this size, those of two mistakes at about half of it.
 inline constexpr std::uint32_t kCoarseSide = 100;
 
+/// Mistakes that show the scene from elsewhere: silhouettes are others.
+inline constexpr std::array kOtherViews = {Mistake::x_mirrored, Mistake::view_narrow,
+                                           Mistake::view_wide, Mistake::eye_reversed};
+
 struct Candidate {
   MistakenBy by;
   Image coarse;
@@ -33,6 +37,7 @@ class StagePictures {
   const Image& right(int stage) const { return right_[index(stage)]; }
   const Image& coarse(int stage) const { return coarse_[index(stage)]; }
   const Template& outlines() const { return outlines_; }
+  const Template& outlines_of(Mistake other_view) const;
 
   /// The mistakes that this scene can show in the stage; made when they are first asked for.
   const std::vector<Candidate>& mistaken(int stage) const;
@@ -60,6 +65,7 @@ class StagePictures {
   std::array<Image, 7> right_, coarse_;
   Template outlines_;
   mutable std::array<Made, 7> mistaken_;
+  mutable std::array<std::pair<std::once_flag, Template>, kOtherViews.size()> views_;
   mutable std::mutex mutex_;
   mutable std::map<std::pair<int, Mistake>, Made> besides_;
 };

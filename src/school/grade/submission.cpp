@@ -93,16 +93,15 @@ Result<void> FolderReader::take(const fs::directory_entry& entry) {
   return {};
 }
 
-}  // namespace
-
-bool is_handed_in(const std::string& file) {
-  return is_picture(file) || is_archive(file);
-}
-
-int stage_of_name(const std::string& file) {
+std::string lower_stem(const std::string& file) {
   std::string name = fs::path(file).stem().string();
   for (char& c : name)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+  return name;
+}
+
+/// 0 where no word tells one.
+int stage_of_words(const std::string& name) {
   for (const char* other : {"contact", "difference", "change", "razlik", "letter", "slovo", "heat"})
     if (name.find(other) != std::string::npos) return kNoStage;
   constexpr struct {
@@ -114,13 +113,54 @@ int stage_of_name(const std::string& file) {
                 {"ambij", 2},  {"ambient", 2}, {"siluet", 1}, {"silhou", 1}};
   for (const auto& [part, stage] : kParts)
     if (name.find(part) != std::string::npos) return stage;
-  int stage = 0;
-  const auto digit = [&](std::size_t i) {
-    return i < name.size() && name[i] >= '0' && name[i] <= '9';
-  };
-  for (std::size_t i = 0; i < name.size(); ++i)
-    if (digit(i) && !digit(i + 1) && (i == 0 || !digit(i - 1) || name[i - 1] == '0'))
-      stage = name[i] - '0';
+  return 0;
+}
+
+/// The digits that come last, "" where there are none.
+std::string last_number(const std::string& name) {
+  const std::size_t last = name.find_last_of("0123456789");
+  if (last == std::string::npos) return "";
+  const std::size_t before = name.find_last_not_of("0123456789", last);
+  const std::size_t first = before == std::string::npos ? 0 : before + 1;
+  return name.substr(first, last + 1 - first);
+}
+
+/// Seven numbered pictures are the stages in their order, eight the letter's too.
+void number_series(std::vector<SubmittedPicture>& pictures) {
+  std::vector<std::pair<std::uint64_t, SubmittedPicture*>> series;
+  for (SubmittedPicture& picture : pictures) {
+    const std::string name = lower_stem(picture.file), digits = last_number(name);
+    if (stage_of_words(name) == kNoStage) continue;
+    if (stage_of_words(name) != 0 || digits.empty() || digits.size() > 18) return;
+    series.emplace_back(std::stoull(digits), &picture);
+  }
+  if (series.size() != 7 && series.size() != 8) return;
+  std::sort(series.begin(), series.end());
+  for (std::size_t i = 1; i < series.size(); ++i)
+    if (series[i].first == series[i - 1].first) return;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    series[i].second->stage = static_cast<int>(i) + 1;
+    series[i].second->stage_is_sure = true;
+  }
+}
+
+}  // namespace
+
+bool is_handed_in(const std::string& file) {
+  return is_picture(file) || is_archive(file);
+}
+
+bool is_named_by_word(const std::string& file) {
+  return stage_of_words(lower_stem(file)) != 0;
+}
+
+int stage_of_name(const std::string& file) {
+  const std::string name = lower_stem(file);
+  if (const int stage = stage_of_words(name); stage != 0) return stage;
+  const std::string digits = last_number(name);
+  const std::size_t first = digits.find_first_not_of('0');
+  if (first == std::string::npos || digits.size() - first != 1) return 0;
+  const int stage = digits[first] - '0';
   return stage > kNoStage ? 0 : stage;
 }
 
@@ -148,6 +188,9 @@ Result<std::vector<SubmittedPicture>> read_submission(const std::string& path, L
     return failure(path, phrase(Word::grade_no_picture), phrase(Word::grade_hand_in));
   std::sort(pictures->begin(), pictures->end(),
             [](const SubmittedPicture& a, const SubmittedPicture& b) { return a.file < b.file; });
+  for (SubmittedPicture& picture : *pictures)
+    picture.stage_is_sure = picture.stage != 0 && is_named_by_word(picture.file);
+  number_series(*pictures);
   return pictures;
 }
 

@@ -102,9 +102,10 @@ class Grader {
   Grader(Grader&&) noexcept;
   ~Grader();
 
-  /// A picture, a folder of pictures, or a zip archive of pictures. A single picture is one of the
+  /// A picture, or a folder, a zip archive or a document (.docx) of pictures. A single picture is one of the
   /// stage that it is nearest to. Never fails: what is wrong stands in the grade.
-  Grade grade(const std::string& path, Links links = Links::follow) const;
+  /// `stage` is what all its pictures are of, 1 to 7; 0: what they show and how they are called.
+  Grade grade(const std::string& path, Links links = Links::follow, int stage = 0) const;
 
   /// The picture of a stage as an 8 bit file has it, right or with mistakes.
   Image picture(int stage, const MistakenBy& by = {}) const;

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// A slice of bench/grader: pictures as they are handed in, and what the grader makes of them.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "alterations.hpp"
+#include "course_scenes.hpp"
+#include "outside_tracer.hpp"
+#include "picture_files.hpp"
+#include "school/grade/words.hpp"
+
+namespace zraka {
+namespace {
+
+using altered::Alteration;
+
+/// A file of its own for each picture, gone when the test is over.
+class HandedIn : public testing::Test {
+ protected:
+  HandedIn() : scene(course_scene()), grader(Grader::create(scene, lab_options()).value()) {
+    std::filesystem::create_directories(folder);
+  }
+  ~HandedIn() override { std::filesystem::remove_all(folder); }
+
+  StageGrade judged(const Image& picture, const std::vector<Alteration>& how,
+                    const std::string& name = "refraction") {
+    altered::Random random(7);
+    altered::Altered a{picture};
+    for (const Alteration one : how) altered::alter(a, one, random);
+    const std::string file = (folder / (name + (a.jpeg > 0 ? ".jpg" : ".png"))).string();
+    if (a.jpeg > 0)
+      std::ofstream(file, std::ios::binary) << jpeg_file(a.image, a.jpeg);
+    else
+      EXPECT_TRUE(write_png(a.image, file, {8, Transfer::linear}));
+    return grader.grade(file).stages.front();
+  }
+
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("zraka-altered-" + std::to_string(::getpid()));
+  const Scene scene;
+  const Grader grader;
+};
+
+TEST_F(HandedIn, TheTracerOutsideOfTheEngineDrawsItsPictures) {
+  for (int stage = 1; stage <= 7; ++stage)
+    EXPECT_LT(measure_errors(outside::Tracer(scene, stage).picture(), grader.picture(stage),
+                             1.5 / 255)
+                  .share(),
+              0.003)
+        << stage;
+}
+
+TEST_F(HandedIn, IsRightHoweverItWasAltered) {
+#ifdef ZRAKA_SANITIZED
+  GTEST_SKIP() << "its pictures are too small for what is cut off of them";
+#endif
+  for (int i = 0; i < static_cast<int>(Alteration::count); ++i) {
+    const auto how = static_cast<Alteration>(i);
+    const StageGrade grade = judged(grader.picture(7), {how});
+    EXPECT_EQ(grade.verdict, Verdict::right)
+        << altered::kNames[static_cast<std::size_t>(i)] << ": " << grade.share_wrong << " "
+        << alignment_text(Language::english, grade.alignment);
+  }
+}
+
+TEST_F(HandedIn, SaysHowMuchIsVisible) {
+  const Image right = grader.picture(7);
+  const StageGrade grade =
+      judged(cropped(right, 0, 0, right.width, right.height * 3 / 4), {Alteration::none});
+  EXPECT_EQ(grade.verdict, Verdict::right);
+  EXPECT_NEAR(grade.alignment.visible, 0.75, 0.02);
+}
+
+TEST_F(HandedIn, HasNoFalseCauses) {
+#ifdef ZRAKA_SANITIZED
+  GTEST_SKIP() << "takes a minute under a sanitizer, and runs no other code than its neighbours";
+#endif
+  int unknown = 0, all = 0;
+  std::string named;
+  for (int i = 1; i < static_cast<int>(outside::Slip::count); ++i) {
+    const auto slip = static_cast<outside::Slip>(i);
+    const Image picture = outside::Tracer(scene, 7, slip).picture();
+    if (measure_errors(picture, grader.picture(7), 2.5 / 255).share() < 0.02) continue;
+    const StageGrade grade = judged(picture, {Alteration::none});
+    ++all;
+    if (grade.verdict == Verdict::unknown)
+      ++unknown;
+    else
+      named += fmt::format("{}: {}\n", outside::kNames[static_cast<std::size_t>(i)],
+                           findings(Language::english, grader, grade).front());
+  }
+  EXPECT_GE(unknown, all - 1) << named;
+  EXPECT_GT(all, 20);
+}
+
+TEST_F(HandedIn, IsNothingWherePlainOrNoise) {
+  Image picture(kSide, kSide);
+  for (const float grey : {0.0F, 0.2F, 0.5F, 1.0F}) {
+    for (float& value : picture.pixels) value = grey;
+    for (const char* name : {"silhouette", "diffuse", "refraction"}) {
+      const StageGrade grade = judged(picture, {Alteration::none}, name);
+      EXPECT_EQ(grade.verdict, Verdict::unknown) << grey << " " << name;
+      EXPECT_EQ(grade.marks, 0);
+    }
+  }
+  altered::Random random(5);
+  for (float& value : picture.pixels) value = static_cast<float>(random() % 256) / 255;
+  EXPECT_EQ(judged(picture, {Alteration::none}).verdict, Verdict::unknown);
+}
+
+TEST_F(HandedIn, NamesTwoMistakesAtOnce) {
+  const StageGrade grade =
+      judged(grader.picture(7, {Mistake::diffuse_sine, Mistake::ratio_inverted}), {});
+  EXPECT_EQ(grade.verdict, Verdict::mistaken);
+  EXPECT_TRUE(grade.both);
+  EXPECT_EQ(std::set<Mistake>(grade.mistakes.begin(), grade.mistakes.end()),
+            (std::set<Mistake>{Mistake::diffuse_sine, Mistake::ratio_inverted}));
+  const std::vector<std::string> lines = findings(Language::english, grader, grade);
+  EXPECT_TRUE(lines[1].starts_with("and at once: ")) << lines[1];
+}
+
+TEST_F(HandedIn, CostsMarksWhereMoreIsLeftThanWhatIsAllowed) {
+  // The light's z has the wrong sign, and gamma: a fifth of the pixels differ after it was undone.
+  const Image picture =
+      with_power(grader.picture(7, Mistake::light_z_reversed), 1 / 2.2);
+  const StageGrade grade = judged(picture, {});
+  EXPECT_NE(grade.verdict, Verdict::right);
+  EXPECT_LT(grade.marks, 1);
+}
+
+}  // namespace
+}  // namespace zraka
