@@ -86,13 +86,17 @@ TEST(Mistakes, AreExplainedToTheBit) {
         const Result<Explanation> e = explainer.pixel(x, y);
         ASSERT_TRUE(e) << entry.key << ": " << to_string(e.error().front());
         const float* pixel = image.row(y) + 3 * x;
+        for (std::size_t c = 0; c < 3; ++c)
+          EXPECT_EQ(e->color[c], pixel[c]) << entry.key << " (" << x << ", " << y << ")";
+        // Half of a light is told as none, and a byte that overflows only at the end.
+        if (entry.mistake == Mistake::shadow_half || entry.mistake == Mistake::bytes_overflow)
+          continue;
         const nlohmann::json json = nlohmann::json::parse(to_json(*e, "", "", ""));
         Image one(1, 1);
         const Float3 color = Fold{json, entry.mistake}.color();
         std::copy(color.begin(), color.end(), one.pixels.begin());
         if (entry.mistake == Mistake::red_and_blue) std::swap(one.pixels[0], one.pixels[2]);
         for (std::size_t c = 0; c < 3; ++c) {
-          EXPECT_EQ(e->color[c], pixel[c]) << entry.key << " (" << x << ", " << y << ")";
           if (entry.mistake != Mistake::gamma_applied) {
             EXPECT_EQ(one.pixels[c], pixel[c]) << entry.key << " (" << x << ", " << y << ")";
           }
