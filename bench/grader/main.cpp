@@ -38,7 +38,7 @@ struct Case {
 };
 
 struct Tally {
-  int cases = 0, right = 0, unknown = 0, wrong = 0, wrong_as_fact = 0;
+  int cases = 0, right = 0, unknown = 0, missed = 0, wrong = 0, wrong_as_fact = 0;
 };
 
 struct Bench {
@@ -204,8 +204,10 @@ void Bench::judge(const Case& c, unsigned seed) {
     ++tally.cases;
     tally.right += right;
     tally.unknown += !right && unknown;
-    tally.wrong += !right && !unknown;
-    tally.wrong_as_fact += !right && !unknown && verdict != "probably";
+    const bool missed = !right && verdict == "right", named = !right && !unknown && !missed;
+    tally.missed += missed;
+    tally.wrong += named;
+    tally.wrong_as_fact += named && verdict != "probably";
   };
   count(of_kind[c.kind]);
   count(of_kind[c.kind + (c.how.size() > 1 ? ", altered twice"
@@ -220,12 +222,12 @@ void Bench::judge(const Case& c, unsigned seed) {
 }
 
 void Bench::print() const {
-  fmt::print("{:<34} {:>6} {:>8} {:>8} {:>8} {:>8}\n", "", "cases", "right", "unknown", "false",
-             "as fact");
+  fmt::print("{:<34} {:>6} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "", "cases", "right", "unknown",
+             "missed", "false", "as fact");
   const auto line = [](const std::string& name, const Tally& t) {
     const auto share = [&](int n) { return fmt::format("{:.1f} %", 100.0 * n / t.cases); };
-    fmt::print("{:<34} {:>6} {:>8} {:>8} {:>8} {:>8}\n", name, t.cases, share(t.right),
-               share(t.unknown), share(t.wrong), share(t.wrong_as_fact));
+    fmt::print("{:<34} {:>6} {:>8} {:>8} {:>8} {:>8} {:>8}\n", name, t.cases, share(t.right),
+               share(t.unknown), share(t.missed), share(t.wrong), share(t.wrong_as_fact));
   };
   for (const auto& [kind, tally] : of_kind) line(kind, tally);
   for (const auto& [how, kinds] : of_alteration)

@@ -170,8 +170,8 @@ Closeness closeness_of(const Fitted& fitted, bool jpeg, const Rubric& rubric) {
   if (fitted.exact && !jpeg) return {0, 0, own, rubric.share, 1};
   const double share = std::max(rubric.share, 0.01);
   constexpr double kBiased = 0.05;
-  if (fitted.exact) return {1, 1, own + 6.0F / 255, share, kBiased};
-  return {1, 1, own + (jpeg ? 7.0F : 2.0F) / 255, share, kBiased};
+  if (fitted.exact) return {1, 1, own + 3.5F / 255, share, kBiased};
+  return {1, 1, own + (jpeg ? 4.5F : 2.0F) / 255, share, kBiased};
 }
 
 Image smoothed(const Image& image, unsigned times) {
@@ -196,11 +196,12 @@ Image smoothed(const Image& image, unsigned times) {
 
 namespace {
 
-/// The share of blocks whose means differ, by more than what an edge in them excuses.
+/// The share of blocks whose means differ, by more than what an edge in them excuses; all where one
+/// differs by much, as where a highlight is missing.
 double biased_blocks(const Image& picture, const Image& soft, const Image& least,
                      const Image& most, const Region& region) {
   constexpr std::uint32_t kBlock = 8;
-  constexpr double kBias = 3.0 / 255, kOfRange = 0.15;
+  constexpr double kBias = 3.0 / 255, kOfRange = 0.15, kMuch = 9.0 / 255, kMuchOfRange = 0.3;
   int all = 0, biased = 0;
   for (std::uint32_t y0 = region.top; y0 + kBlock <= region.bottom; y0 += kBlock)
     for (std::uint32_t x0 = region.left; x0 + kBlock <= region.right; x0 += kBlock) {
@@ -213,9 +214,11 @@ double biased_blocks(const Image& picture, const Image& soft, const Image& least
             range[c] += static_cast<double>(most.row(y)[i] - least.row(y)[i]);
           }
       bool far = false;
-      for (std::size_t c = 0; c < 3; ++c)
-        far = far || std::fabs(difference[c]) >
-                         kBias * kBlock * kBlock + kOfRange * range[c];
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double by = std::fabs(difference[c]);
+        far = far || by > kBias * kBlock * kBlock + kOfRange * range[c];
+        if (by > kMuch * kBlock * kBlock + kMuchOfRange * range[c]) return 1;
+      }
       ++all;
       biased += far;
     }

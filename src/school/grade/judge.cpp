@@ -108,7 +108,7 @@ void Judge::trim_frame() {
       for (std::uint32_t x = x0; x < x1; ++x, ++i) {
         bool plain = true, other = false;
         for (std::size_t c = 0; c < 3; ++c) {
-          plain = plain && std::fabs(channels[c][i] - middle[c]) < 0.03F;
+          plain = plain && std::fabs(channels[c][i] - middle[c]) < 0.05F;
           other = other ||
                   std::fabs(channels[c][i] - wanted_.row(y)[std::size_t{3} * x + c]) > 0.06F;
         }
@@ -117,7 +117,7 @@ void Judge::trim_frame() {
         others += other;
       }
     // A line that is all of one colour may be a part of the background, if there are many.
-    return count * 10 > i * 6 || (same == i && others > 0 && trimmed < most_clear);
+    return count * 10 > i * 6 || (same * 100 >= 97 * i && others > 0 && trimmed < most_clear);
   };
   const Region whole = r;
   const std::uint32_t across = (r.right - r.left) / 7, down = (r.bottom - r.top) / 7;
@@ -168,7 +168,8 @@ std::size_t Judge::best_way(const std::vector<Match>& matches) const {
   std::size_t way = 0;
   for (const Match& match : matches) {
     if (match.way == 0) as_is = std::min(as_is, match.distance);
-    if (match.distance < best) best = match.distance, way = match.way;
+    // Of two ways that are as good, the plainer.
+    if (match.distance < 0.9 * best) best = match.distance, way = match.way;
   }
   return best > 0.5 * as_is ? 0 : way;
 }
@@ -362,15 +363,15 @@ StageGrade judge(const StagePictures& pictures, int stage, const Registered& sub
     if (best == nullptr || fitted.likeness > std::max(best->likeness, kLike)) best = &fitted;
   }
   StageGrade grade = Judge(pictures, stage, *best, submitted.jpeg).verdict(&known);
-  if (grade.verdict != Verdict::unknown || best->likeness >= kSeen) return grade;
-  // A window with a picture of another view.
-  for (const Mistake mistake : kOtherViews)
-    for (const Fitted& fitted :
-         fit(*submitted.handed_in, pictures.outlines_of(mistake), pictures.right(7).width,
-             pictures.right(7).height)) {
-      StageGrade other = Judge(pictures, stage, fitted, submitted.jpeg).verdict(nullptr);
-      if (other.verdict == Verdict::mistaken) return other;
-    }
+  if (stage == 1 || grade.verdict != Verdict::unknown || best->likeness >= kSeen) return grade;
+  // A mirrored picture in a window. One of another view may be the right one, scaled.
+  for (const Fitted& fitted : fit(*submitted.handed_in, pictures.mirrored_outlines(),
+                                  pictures.right(7).width, pictures.right(7).height)) {
+    StageGrade mirrored = Judge(pictures, stage, fitted, submitted.jpeg).verdict(nullptr);
+    if (mirrored.verdict == Verdict::mistaken && mirrored.alignment.visible > 0.9 &&
+        mirrored.mistakes.front() == Mistake::x_mirrored)
+      return mirrored;
+  }
   return grade;
 }
 

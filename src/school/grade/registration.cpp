@@ -209,6 +209,13 @@ Template::Template(const std::vector<const Image*>& pictures) {
   }
 }
 
+Template Template::mirrored() const {
+  Template other = *this;
+  for (std::uint32_t y = 0; y < outlines_.height; ++y)
+    std::reverse(other.outlines_.row(y), other.outlines_.row(y) + outlines_.width);
+  return other;
+}
+
 std::vector<Position> Template::find(const Image& submission) const {
   const Grid drawn = outlines(submission);
   const Grid &full = outlines_, coarse = reduced_to(full, kCoarse),
@@ -219,7 +226,7 @@ std::vector<Position> Template::find(const Image& submission) const {
   for (const bool transpose : {false, true})
     for (const bool flip : {false, true}) {
       Grid plane = transpose ? transposed(drawn) : drawn;
-      if (flip) plane = flipped_vertically(plane);
+      if (flip) plane = upside_down(plane);
       turns.push_back({transpose, flip, std::move(plane)});
     }
   const double w = full.width, h = full.height;
@@ -321,16 +328,20 @@ std::vector<Position> Template::find(const Image& submission) const {
     if (like < position.likeness - 0.05) return;
     positions.push_back({turned.transposed, turned.flipped, p, like});
   };
+  // In its own size it lies where it lies, but for a shift that outlines are sure of.
+  const GridPlacement same{0, 0, 1, 1};
+  const bool own_size = turned.full.width == full.width && turned.full.height == full.height;
+  if (own_size && near(same)) positions.push_back({turned.transposed, turned.flipped, same, 0});
   GridPlacement shifted{std::round(found.left), std::round(found.top), 1, 1};
   if (near(shifted)) {
     // The middle tells best by how much.
     shifted.left = std::round(found.left + w / 2 * (found.across - 1));
     shifted.top = std::round(found.top + h / 2 * (found.down - 1));
-    add(shifted);
+    if (!own_size || shifted != same) add(shifted);
   }
   const GridPlacement whole{0, 0, turned.full.width / w, turned.full.height / h};
   if (near(whole)) {
-    if (whole != shifted) add(whole);
+    if (whole != shifted && !own_size) add(whole);
   } else if (off(submission.width / w, submission.height / h * 1.0) < 0.07 * submission.width / w) {
     positions.push_back(
         {false, false, {0, 0, submission.width / w, submission.height / h}, 0});

@@ -24,6 +24,8 @@ class Template {
   Template() = default;
   /// From pictures of the same size that show the same silhouettes.
   explicit Template(const std::vector<const Image*>& pictures);
+  /// With left and right exchanged.
+  Template mirrored() const;
   /// Positions in a submission that may be right, the plainest first: at least one. Scales from 0.5
   /// to 3 are tried, axes up to 7 % apart.
   std::vector<Position> find(const Image& submission) const;

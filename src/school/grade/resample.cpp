@@ -150,7 +150,7 @@ Grid transposed(const Grid& plane) {
   return out;
 }
 
-Grid flipped_vertically(const Grid& plane) {
+Grid upside_down(const Grid& plane) {
   Grid out(plane.width, plane.height);
   for (std::uint32_t y = 0; y < out.height; ++y)
     std::copy_n(plane.row(plane.height - 1 - y), plane.width, out.row(y));

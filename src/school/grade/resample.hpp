@@ -33,13 +33,13 @@ GridPlacement inverse(const GridPlacement& placement);
 /// outside has the colour of the edge.
 Image resampled(const Image& image, const GridPlacement& placement, std::uint32_t width,
                 std::uint32_t height);
-Grid resampled(const Grid& plane, const GridPlacement& placement, std::uint32_t width,
+Grid resampled(const Grid& grid, const GridPlacement& placement, std::uint32_t width,
                 std::uint32_t height);
 
 /// Columns and rows change places.
 Image transposed(const Image& image);
-Grid transposed(const Grid& plane);
-Grid flipped_vertically(const Grid& plane);
+Grid transposed(const Grid& grid);
+Grid upside_down(const Grid& grid);
 
 /// Fills rows and columns that a program left unpainted, which draws pixel by pixel on a scaled
 /// screen: lines of one colour, a pixel wide, whose neighbours on both sides have others. Returns

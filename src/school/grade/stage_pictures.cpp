@@ -45,6 +45,7 @@ Result<std::unique_ptr<StagePictures>> StagePictures::create(const Scene& scene,
   // Silhouettes are in all pictures; light and mirrors add to them.
   made->outlines_ = Template({&made->right(1), &made->right(1), &made->right(2), &made->right(3),
                               &made->right(7)});
+  made->mirrored_outlines_ = made->outlines_.mirrored();
   return made;
 }
 
@@ -56,7 +57,8 @@ std::vector<Candidate> StagePictures::render_all(int stage) const {
     if (entry.first_stage > stage) continue;
     // What render() refuses was refused by create().
     const Image made = render(stage, entry.mistake).value();
-    // A picture that would pass for right is no picture of a mistake.
+    // A plain picture shows nothing, and one that would pass for right is no picture of a mistake.
+    if (spread(made, {0, 0, made.width, made.height}) < 1e-4) continue;
     if (measure_errors(made, right(stage), (rubric_.tolerance + 0.5) / 255).share() <=
         rubric_.share)
       continue;
@@ -103,19 +105,6 @@ const std::vector<Candidate>& StagePictures::mistaken_besides(int stage, Mistake
     tbb::this_task_arena::isolate([&] { kept->pictures = render_besides(stage, mistake); });
   });
   return kept->pictures;
-}
-
-const Template& StagePictures::outlines_of(Mistake other_view) const {
-  const auto at = std::find(kOtherViews.begin(), kOtherViews.end(), other_view);
-  auto& [once, outlines] = views_[static_cast<std::size_t>(at - kOtherViews.begin())];
-  std::call_once(once, [&, to = &outlines] {
-    tbb::this_task_arena::isolate([&] {
-      const Image silhouette = picture(1, other_view), ambient = picture(2, other_view),
-                  whole = picture(7, other_view);
-      *to = Template({&silhouette, &silhouette, &ambient, &whole});
-    });
-  });
-  return outlines;
 }
 
 Image StagePictures::picture(int stage, const MistakenBy& by) const {

@@ -15,10 +15,6 @@ namespace zraka {
 /// Pictures are first compared at about this size, those of two mistakes at about half of it.
 inline constexpr std::uint32_t kCoarseSide = 100;
 
-/// Mistakes that show the scene from elsewhere: silhouettes are others.
-inline constexpr std::array kOtherViews = {Mistake::x_mirrored, Mistake::view_narrow,
-                                           Mistake::view_wide, Mistake::eye_reversed};
-
 struct Candidate {
   MistakenBy by;
   Image coarse;
@@ -37,7 +33,7 @@ class StagePictures {
   const Image& right(int stage) const { return right_[index(stage)]; }
   const Image& coarse(int stage) const { return coarse_[index(stage)]; }
   const Template& outlines() const { return outlines_; }
-  const Template& outlines_of(Mistake other_view) const;
+  const Template& mirrored_outlines() const { return mirrored_outlines_; }
 
   /// The mistakes that this scene can show in the stage; made when they are first asked for.
   const std::vector<Candidate>& mistaken(int stage) const;
@@ -63,9 +59,8 @@ class StagePictures {
   RenderOptions options_;
   Rubric rubric_;
   std::array<Image, 7> right_, coarse_;
-  Template outlines_;
+  Template outlines_, mirrored_outlines_;
   mutable std::array<Made, 7> mistaken_;
-  mutable std::array<std::pair<std::once_flag, Template>, kOtherViews.size()> views_;
   mutable std::mutex mutex_;
   mutable std::map<std::pair<int, Mistake>, Made> besides_;
 };

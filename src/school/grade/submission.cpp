@@ -150,8 +150,9 @@ bool is_handed_in(const std::string& file) {
   return is_picture(file) || is_archive(file);
 }
 
-bool is_named_by_word(const std::string& file) {
-  return stage_of_words(lower_stem(file)) != 0;
+bool is_named_for_sure(const std::string& file) {
+  const std::string name = lower_stem(file);
+  return stage_of_words(name) != 0 || last_number(name) == name;
 }
 
 int stage_of_name(const std::string& file) {
@@ -189,7 +190,7 @@ Result<std::vector<SubmittedPicture>> read_submission(const std::string& path, L
   std::sort(pictures->begin(), pictures->end(),
             [](const SubmittedPicture& a, const SubmittedPicture& b) { return a.file < b.file; });
   for (SubmittedPicture& picture : *pictures)
-    picture.stage_is_sure = picture.stage != 0 && is_named_by_word(picture.file);
+    picture.stage_is_sure = picture.stage != 0 && is_named_for_sure(picture.file);
   number_series(*pictures);
   return pictures;
 }
