@@ -169,9 +169,10 @@ Closeness closeness_of(const Fitted& fitted, bool jpeg, const Rubric& rubric) {
   const auto own = static_cast<float>((rubric.tolerance + 0.5) / 255);
   if (fitted.exact && !jpeg) return {0, 0, own, rubric.share, 1};
   const double share = std::max(rubric.share, 0.01);
-  constexpr double kBiased = 0.05;
-  if (fitted.exact) return {1, 1, own + 3.5F / 255, share, kBiased};
-  return {1, 1, own + (jpeg ? 4.5F : 2.0F) / 255, share, kBiased};
+  // Lines that were filled are lighter or darker at every outline.
+  const double biased = fitted.alignment.unpainted ? 1 : 0.05;
+  if (fitted.exact) return {1, 1, own + 3.5F / 255, share, biased};
+  return {1, 1, own + (jpeg ? 4.5F : 2.0F) / 255, share, biased};
 }
 
 Image smoothed(const Image& image, unsigned times) {

@@ -320,6 +320,11 @@ StageGrade Judge::verdict(const std::set<Mistake>* known) {
       return finish();
     }
   }
+  // What hardly differs shows no mistake for sure.
+  if (right_.rest.share < close_.share / 2 && close_.blur > 0) {
+    settle(Verdict::unknown, right_.rest, grade);
+    return finish();
+  }
   std::vector<Match> matches = by_few;
   look_closely(matches);
   const std::vector<const Match*> likely = as_likely(matches);
