@@ -362,7 +362,9 @@ StageGrade judge(const StagePictures& pictures, int stage, const Registered& sub
                  const std::set<Mistake>& known) {
   const Fitted* best = nullptr;
   for (const Fitted& fitted : submitted.fitted) {
-    StageGrade grade = Judge(pictures, stage, fitted, submitted.jpeg).verdict(nullptr);
+    // A second mistake is easily lost in what an inexact fit allows.
+    StageGrade grade =
+        Judge(pictures, stage, fitted, submitted.jpeg).verdict(fitted.exact ? &known : nullptr);
     if (grade.verdict == Verdict::right || grade.verdict == Verdict::mistaken) return grade;
     // A picture that may lie anywhere is rather where its outlines say.
     if (best == nullptr || fitted.likeness > std::max(best->likeness, kLike)) best = &fitted;
