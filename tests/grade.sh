@@ -70,6 +70,35 @@ subprocess.run([sys.argv[1], "grade", sys.argv[2], "--width", "48", sys.argv[3]]
 sys.exit(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss > 1300000)  # KB
 PY
 
+# The pictures of a report, alone and in an archive; its program has numbered them, and a thumbnail is none of them.
+"$zraka" stages $scene --width 48 -o "$folder/stages" -q || fail "stages"
+python3 - "$folder" <<'PY'
+import glob, sys, zipfile
+folder = sys.argv[1]
+pictures = sorted(glob.glob(folder + "/stages/[1-7]-*.png"))
+assert len(pictures) == 7, pictures
+with zipfile.ZipFile(folder + "/report.docx", "w") as z:
+    z.writestr("word/document.xml", "<document/>")
+    z.write(pictures[6], "docProps/thumbnail.png")
+    for i, picture in enumerate(pictures):
+        z.write(picture, f"word/media/image{i + 3}.png")
+with zipfile.ZipFile(folder + "/packed.zip", "w") as z:
+    z.write(folder + "/report.docx", "OVO/report.docx")
+PY
+for report in report.docx packed.zip; do
+  "$zraka" grade $scene --width 48 "$folder/$report" >"$folder/out" || fail "$report ended with $?"
+  contains "$folder/out" "7 of 7 marks"
+done
+echo "no archive" >"$folder/text.docx"
+expect 1 "the archive is damaged or no zip" "$zraka" grade $scene "$folder/text.docx"
+
+# A name that tells nothing true, and the stage that is told.
+cp "$class/right/7.png" "$folder/lab3.png"
+"$zraka" grade $scene --width 48 "$folder/lab3.png" --format json >"$folder/json" || fail "lab3"
+python3 -c 'import json, sys; g = json.load(open(sys.argv[1])); assert g["tests"][0]["number"] == "7", g' "$folder/json" || fail "a digit decided"
+"$zraka" grade $scene --width 48 "$folder/lab3.png" --stage 3 --format json >"$folder/json" || fail "--stage"
+python3 -c 'import json, sys; g = json.load(open(sys.argv[1])); t = g["tests"][0]; assert t["number"] == "3" and t["verdict"] == "unknown", g' "$folder/json" || fail "--stage did not decide"
+
 # Links at the top of a class are told, not followed; its page is no submission the next time.
 mkdir "$folder/links"
 cp -r "$class/one" "$folder/links/ana"

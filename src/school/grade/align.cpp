@@ -83,6 +83,16 @@ std::vector<Fitted> fit(const Image& submitted, const Template& searched, std::u
   return all;
 }
 
+Fitted as_it_is(const Image& submitted) {
+  Fitted fitted;
+  fitted.image = submitted;
+  fitted.region = {0, 0, submitted.width, submitted.height};
+  fitted.width = submitted.width;
+  fitted.height = submitted.height;
+  fitted.likeness = 1;
+  return fitted;
+}
+
 std::vector<Alignment> ways_to_align() {
   std::vector<Alignment> ways;
   for (const bool swapped : {false, true})

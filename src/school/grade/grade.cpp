@@ -22,6 +22,13 @@ struct Grader::Impl {
   }
   Registered registered(const ReadImage& read) const {
     const Image& right = pictures->right(7);
+    // Most pictures of a class are right, pixel by pixel.
+    if (read.image.width == right.width && read.image.height == right.height)
+      for (int stage = 1; stage <= 7; ++stage)
+        if (measure_errors(read.image, pictures->right(stage),
+                           (pictures->rubric().tolerance + 0.5) / 255)
+                .share() <= pictures->rubric().share)
+          return {{as_it_is(read.image)}, read.format == "JPEG", &read.image};
     return {fit(read.image, pictures->outlines(), right.width, right.height),
             read.format == "JPEG", &read.image};
   }
