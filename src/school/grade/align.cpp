@@ -39,6 +39,8 @@ Region visible_region(const Fitted& fitted, std::uint32_t width, std::uint32_t h
   return region;
 }
 
+}  // namespace
+
 Fitted fitted_at(const Position& position, Image painted, bool unpainted, std::uint32_t width,
                  std::uint32_t height) {
   Fitted fitted;
@@ -70,8 +72,6 @@ Fitted fitted_at(const Position& position, Image painted, bool unpainted, std::u
   fitted.region = visible_region(fitted, width, height);
   return fitted;
 }
-
-}  // namespace
 
 std::vector<Fitted> fit(const Image& submitted, const Template& searched, std::uint32_t width,
                         std::uint32_t height) {

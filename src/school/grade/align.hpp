@@ -9,6 +9,8 @@
 
 namespace zraka {
 
+class StagePictures;
+
 /// A rectangle of pixels that can be compared.
 struct Region {
   std::uint32_t left = 0, top = 0, right = 0, bottom = 0;  ///< right and bottom are outside
@@ -27,11 +29,17 @@ struct Fitted {
   double likeness = 0;  ///< of outlines
   GridPlacement placement{};
   std::uint32_t width = 0, height = 0;  ///< as it was handed in, turned
+  /// Of the size that it was drawn in; nullptr where that is the scene's own.
+  const StagePictures* pictures = nullptr;
 };
 
 /// Finds a right picture of width × height in a submission: where it may be, the plainest first.
 std::vector<Fitted> fit(const Image& submitted, const Template& searched, std::uint32_t width,
                         std::uint32_t height);
+
+/// What lies at a position in a submission, whose unpainted lines were filled or not.
+Fitted fitted_at(const Position& position, Image painted, bool unpainted, std::uint32_t width,
+                 std::uint32_t height);
 
 /// A submission that has the right picture's size and needs no search.
 Fitted as_it_is(const Image& submitted);

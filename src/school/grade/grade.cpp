@@ -7,6 +7,7 @@
 
 #include "core/phrase.hpp"
 #include "core/text.hpp"
+#include "school/grade/drawn_size.hpp"
 #include "school/grade/judge.hpp"
 #include "school/grade/rubric.hpp"
 #include "school/grade/submission.hpp"
@@ -15,6 +16,16 @@ namespace zraka {
 
 struct Grader::Impl {
   std::unique_ptr<StagePictures> pictures;
+  SizedPictures sizes{*pictures};
+
+  /// In the size that a picture was compared in.
+  const StagePictures& pictures_of(const StageGrade& judged) const {
+    const Alignment& alignment = judged.alignment;
+    const StagePictures* sized = alignment.drawn_width == 0
+                                     ? nullptr
+                                     : sizes.of(alignment.drawn_width, alignment.drawn_height);
+    return sized != nullptr ? *sized : *pictures;
+  }
 
   PictureKind kind() const {
     const Image& right = pictures->right(7);
@@ -29,8 +40,9 @@ struct Grader::Impl {
                            (pictures->rubric().tolerance + 0.5) / 255)
                 .share() <= pictures->rubric().share)
           return {{as_it_is(read.image)}, read.format == "JPEG", &read.image};
-    return {fit(read.image, pictures->outlines(), right.width, right.height),
-            read.format == "JPEG", &read.image};
+    std::vector<Fitted> fitted = fit(read.image, pictures->outlines(), right.width, right.height);
+    add_drawn_sizes(read.image, sizes, fitted);
+    return {std::move(fitted), read.format == "JPEG", &read.image};
   }
   StageGrade judge_one(int stage, const std::string& file, const Result<ReadImage>& submitted,
                        const std::set<Mistake>& known = {}) const;
@@ -125,7 +137,7 @@ Result<Grader> Grader::create(const Scene& scene, const RenderOptions& options,
                               const Rubric& rubric) {
   Result<std::unique_ptr<StagePictures>> pictures = StagePictures::create(scene, options, rubric);
   if (!pictures) return tl::make_unexpected(pictures.error());
-  return Grader(std::unique_ptr<Impl>(new Impl{std::move(*pictures)}));
+  return Grader(std::unique_ptr<Impl>(new Impl{.pictures = std::move(*pictures)}));
 }
 
 const Rubric& Grader::rubric() const {
@@ -134,6 +146,10 @@ const Rubric& Grader::rubric() const {
 
 Image Grader::picture(int stage, const MistakenBy& by) const {
   return impl_->pictures->picture(stage, by);
+}
+
+Image Grader::picture(const StageGrade& judged, const MistakenBy& by) const {
+  return impl_->pictures_of(judged).picture(judged.stage, by);
 }
 
 Grade Grader::grade(const std::string& path, Links links, int of) const {
@@ -182,7 +198,7 @@ Grade Grader::grade(const std::string& path, Links links, int of) const {
 
 std::optional<ToldApart> Grader::told_apart(const StageGrade& stage) const {
   if (stage.mistakes.empty() || stage.pixels.empty()) return std::nullopt;
-  const StagePictures& pictures = *impl_->pictures;
+  const StagePictures& pictures = impl_->pictures_of(stage);
   const PixelPair& pixel = stage.pixels.front();
   const auto explained = [&](const MistakenBy& by) {
     return explain_mistaken(pictures.scene(), pictures.options_of(stage.stage), by, pixel.x,

@@ -38,12 +38,23 @@ struct Match {
   Rest rest{};
 };
 
+/// A region of a picture in another size of it.
+Region scaled(const Region& r, const Image& from, const Image& to) {
+  const auto one = [](std::uint32_t n, std::uint32_t of, std::uint32_t in, std::uint32_t more) {
+    return static_cast<std::uint32_t>((std::uint64_t{n} * in + more) / of);
+  };
+  return {one(r.left, from.width, to.width, from.width - 1),
+          one(r.top, from.height, to.height, from.height - 1), one(r.right, from.width, to.width, 0),
+          one(r.bottom, from.height, to.height, 0)};
+}
+
 class Judge {
  public:
   Judge(const StagePictures& pictures, int stage, const Fitted& fitted, bool jpeg)
       : pictures_(pictures),
+        sized_(fitted.pictures != nullptr ? *fitted.pictures : pictures),
         stage_(stage),
-        wanted_(pictures.right(stage)),
+        wanted_(sized_.right(stage)),
         fitted_(fitted),
         close_(closeness_of(fitted, jpeg, pictures.rubric())) {
     if (stage == 1) fitted_.image = as_silhouette(fitted_.image);
@@ -73,7 +84,12 @@ class Judge {
                 StageGrade& grade);
   void settle(Verdict verdict, const Rest& left, StageGrade& grade) const;
 
+  Image picture_of(const Candidate& candidate) const {
+    return &sized_ == &pictures_ ? candidate.picture.image() : sized_.picture(stage_, candidate.by);
+  }
+
   const StagePictures& pictures_;
+  const StagePictures& sized_;  ///< in the size that it was drawn in
   int stage_;
   const Image& wanted_;
   Fitted fitted_;
@@ -143,15 +159,13 @@ void Judge::trim_frame() {
 
 std::vector<Match> Judge::nearest_by_few(const std::vector<Candidate>& candidates,
                                          const std::vector<std::size_t>& ways) const {
-  const Image less = reduced(fitted_.image, kCoarseSide);
-  const auto scaled = [](std::uint32_t n, std::uint32_t from, std::uint32_t to) {
-    return static_cast<std::uint32_t>(std::uint64_t{n} * to / from);
-  };
-  const Region& r = fitted_.region;
-  const Region part{scaled(r.left, wanted_.width, less.width),
-                    scaled(r.top, wanted_.height, less.height),
-                    scaled(r.right, wanted_.width, less.width),
-                    scaled(r.bottom, wanted_.height, less.height)};
+  const Image& coarse = pictures_.coarse(stage_);
+  const Image less =
+      resampled(fitted_.image,
+                {0, 0, static_cast<double>(wanted_.width) / coarse.width,
+                 static_cast<double>(wanted_.height) / coarse.height},
+                coarse.width, coarse.height);
+  const Region part = scaled(fitted_.region, wanted_, less);
   std::vector<Match> all;
   for (const std::size_t way : ways) {
     const Image small = aligned(less, ways_[way]);
@@ -187,7 +201,7 @@ void Judge::look_closely(std::vector<Match>& matches) const {
   std::sort(matches.begin(), matches.end(), nearer);
   matches.resize(std::min(matches.size(), kShortList));
   for (Match& match : matches) {
-    const Image picture = through_scaling(match.candidate->picture.image(), fitted_);
+    const Image picture = through_scaling(picture_of(*match.candidate), fitted_);
     match.distance = mean_square(taken_, picture, fitted_.region);
     match.rest = rest_of(smooth_, picture, fitted_.region, close_);
   }
@@ -219,6 +233,10 @@ void Judge::settle(Verdict verdict, const Rest& left, StageGrade& grade) const {
   grade.alignment = fitted_.alignment;
   grade.alignment.swapped = way.swapped;
   grade.alignment.curve = way.curve;
+  if (&sized_ != &pictures_) {
+    grade.alignment.drawn_width = wanted_.width;
+    grade.alignment.drawn_height = wanted_.height;
+  }
   grade.alignment.visible =
       fitted_.region.pixels() / (wanted_.width * static_cast<double>(wanted_.height));
   grade.share_wrong = right_.rest.share;
@@ -237,10 +255,10 @@ bool Judge::name_two(const std::vector<Match>& singles, const std::set<Mistake>&
   }
   // All pairs with few pixels, the nearest with all.
   const std::uint32_t stride = pictures_.stride();
-  const Image few = sampled(taken_, stride);
+  const Image& full = pictures_.right(stage_);
+  const Image few = sampled(taken_, full.width / stride, full.height / stride);
   const Region& r = fitted_.region;
-  const Region part{(r.left + stride - 1) / stride, (r.top + stride - 1) / stride,
-                    r.right / stride, r.bottom / stride};
+  const Region part = scaled(r, wanted_, few);
   std::vector<Match> pairs;
   for (const Mistake first : firsts) {
     if (entry_of(first).first_stage > stage_) continue;
@@ -254,7 +272,7 @@ bool Judge::name_two(const std::vector<Match>& singles, const std::set<Mistake>&
   if (pairs.empty() || pairs.front().distance > 0.3 * right_.distance) return false;
   std::vector<Image> whole;
   for (Match& pair : pairs) {
-    whole.push_back(pictures_.picture(stage_, pair.candidate->by));
+    whole.push_back(sized_.picture(stage_, pair.candidate->by));
     const Image picture = through_scaling(whole.back(), fitted_);
     pair.distance = mean_square(taken_, picture, r);
     pair.rest = rest_of(smooth_, picture, r, close_);
@@ -329,8 +347,7 @@ StageGrade Judge::verdict(const std::set<Mistake>* known) {
   look_closely(matches);
   const std::vector<const Match*> likely = as_likely(matches);
   const auto seen = [&](const Match& match) {
-    return shows(taken_, through_scaling(match.candidate->picture.image(), fitted_),
-                 fitted_.region);
+    return shows(taken_, through_scaling(picture_of(*match.candidate), fitted_), fitted_.region);
   };
   if (!likely.empty() && seen(*likely.front())) {
     settle(Verdict::mistaken, likely.front()->rest, grade);

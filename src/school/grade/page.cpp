@@ -82,7 +82,7 @@ void Page::figure(const Image& image, const std::string& caption, const StageGra
 
 void Page::pictures(const StageGrade& stage) {
   if (stage.aligned.pixels.empty()) return;
-  const Image right = grader_.picture(stage.stage);
+  const Image right = grader_.picture(stage);
   put("<div class=\"pictures\">\n");
   figure(stage.aligned, say(Word::grade_handed_in, shown(stage.file)), &stage);
   if (stage.verdict != Verdict::right) {
@@ -93,7 +93,7 @@ void Page::pictures(const StageGrade& stage) {
            say(Word::grade_difference, std::lround(255 * brightest)));
   }
   if (!stage.mistakes.empty())
-    figure(grader_.picture(stage.stage, stage.named()), say(Word::grade_picture_mistake));
+    figure(grader_.picture(stage, stage.named()), say(Word::grade_picture_mistake));
   put("</div>\n");
 }
 

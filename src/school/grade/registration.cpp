@@ -4,8 +4,10 @@
 #include "school/grade/registration.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace zraka {
 namespace {
@@ -35,14 +37,6 @@ Grid reduced_to(const Grid& plane, std::uint32_t side) {
 /// Sums of a correlation.
 struct Sums {
   double n = 0, t = 0, tt = 0, s = 0, ss = 0, ts = 0;
-  void add(double of_template, double of_submission) {
-    n += 1;
-    t += of_template;
-    tt += of_template * of_template;
-    s += of_submission;
-    ss += of_submission * of_submission;
-    ts += of_template * of_submission;
-  }
   /// Less what is not visible, in pixels `all` and in squares `energy` of the template.
   double likeness(double all, double energy) const {
     if (n < kLeast * all || tt < kLeast * energy) return -1;
@@ -52,57 +46,115 @@ struct Sums {
   }
 };
 
-double energy_of(const Grid& plane) {
-  double sum = 0;
-  for (const float v : plane.values) sum += static_cast<double>(v) * static_cast<double>(v);
-  return sum;
-}
+/// Sums over any rectangle of a grid, of its values and of their squares.
+class Table {
+ public:
+  explicit Table(const Grid& grid)
+      : stride_(std::size_t{grid.width} + 1), sums_(stride_ * (std::size_t{grid.height} + 1)) {
+    for (std::uint32_t y = 0; y < grid.height; ++y) {
+      std::array<double, 2> row{};
+      for (std::uint32_t x = 0; x < grid.width; ++x) {
+        const auto value = static_cast<double>(grid.row(y)[x]);
+        row[0] += value;
+        row[1] += value * value;
+        const std::size_t here = (y + 1) * stride_ + x + 1;
+        for (std::size_t i = 0; i < 2; ++i) sums_[here][i] = sums_[here - stride_][i] + row[i];
+      }
+    }
+  }
+  /// Right and bottom are outside.
+  std::array<double, 2> over(std::size_t left, std::size_t top, std::size_t right,
+                             std::size_t bottom) const {
+    std::array<double, 2> sum{};
+    for (std::size_t i = 0; i < 2; ++i)
+      sum[i] = sums_[bottom * stride_ + right][i] - sums_[bottom * stride_ + left][i] -
+               sums_[top * stride_ + right][i] + sums_[top * stride_ + left][i];
+    return sum;
+  }
+  double energy() const { return sums_.back()[1]; }
+
+ private:
+  std::size_t stride_;
+  std::vector<std::array<double, 2>> sums_;
+};
+
+/// The template in one of its sizes.
+struct Searched {
+  explicit Searched(Grid grid_of) : grid(std::move(grid_of)), table(grid) {}
+  Grid grid;
+  Table table;
+};
 
 /// A template in one of its sizes, and the submission in its own; positions are of the template's
 /// pixels in the submission's.
-struct Level {
-  const Grid& searched;
-  const Grid& submission;
-  double energy;
+class Level {
+ public:
+  Level(const Searched& searched, const Grid& submission)
+      : searched_(searched), submission_(submission) {}
 
   double likeness(const GridPlacement& at) const {
+    const Grid& grid = searched_.grid;
+    const double width = submission_.width, height = submission_.height;
+    // What is visible is a rectangle.
+    const auto visible = [](double start, double step, double size, std::uint32_t count) {
+      std::pair<std::uint32_t, std::uint32_t> seen{0, count};
+      const auto inside = [&](std::uint32_t i) {
+        const double u = start + (i + 0.5) * step;
+        return u >= 0 && u <= size;
+      };
+      while (seen.first < seen.second && !inside(seen.first)) ++seen.first;
+      while (seen.first < seen.second && !inside(seen.second - 1)) --seen.second;
+      return seen;
+    };
+    const auto [x0, x1] = visible(at.left, at.across, width, grid.width);
+    const auto [y0, y1] = visible(at.top, at.down, height, grid.height);
+    if (x0 == x1 || y0 == y1) return -1;
+    struct Tap {
+      std::uint32_t first;
+      float weight;
+    };
+    const auto tap = [](double u, double size) {
+      const double c = std::clamp(u - 0.5, 0.0, size - 1.001);
+      const double whole = std::floor(c);
+      return Tap{static_cast<std::uint32_t>(whole), static_cast<float>(c - whole)};
+    };
+    std::vector<Tap> taps;
+    for (std::uint32_t x = x0; x < x1; ++x) taps.push_back(tap(at.left + (x + 0.5) * at.across, width));
+    const std::uint32_t from = std::min(taps.front().first, taps.back().first),
+                        next = submission_.width > 1 ? 1 : 0,
+                        to = std::max(taps.front().first, taps.back().first) + next + 1;
+    std::vector<float> mixed(submission_.width);
     Sums sums;
-    std::vector<float> weight(searched.width);
-    std::vector<std::int32_t> column(searched.width);
-    const double width = submission.width, height = submission.height;
-    for (std::uint32_t x = 0; x < searched.width; ++x) {
-      const double u = at.left + (x + 0.5) * at.across;
-      const bool inside = u >= 0 && u <= width;
-      const double c = std::clamp(u - 0.5, 0.0, width - 1.001);
-      column[x] = inside ? static_cast<std::int32_t>(c) : -1;
-      weight[x] = static_cast<float>(c - std::floor(c));
-    }
-    for (std::uint32_t y = 0; y < searched.height; ++y) {
-      const double v = at.top + (y + 0.5) * at.down;
-      if (v < 0 || v > height) continue;
-      const double r = std::clamp(v - 0.5, 0.0, height - 1.001);
-      const auto first = static_cast<std::uint32_t>(r);
-      const auto w = static_cast<float>(r - std::floor(r));
-      const float *a = submission.row(first),
-                  *b = submission.row(std::min(first + 1, submission.height - 1));
-      const float* t = searched.row(y);
-      for (std::uint32_t x = 0; x < searched.width; ++x) {
-        if (column[x] < 0) continue;
-        const float *p = a + column[x], *q = b + column[x];
-        const float f = weight[x];
-        const std::size_t next = submission.width > 1 ? 1 : 0;
-        const float upper = p[0] + f * (p[next] - p[0]), lower = q[0] + f * (q[next] - q[0]);
-        sums.add(static_cast<double>(t[x]), static_cast<double>(upper + w * (lower - upper)));
+    for (std::uint32_t y = y0; y < y1; ++y) {
+      const Tap row = tap(at.top + (y + 0.5) * at.down, height);
+      const float *a = submission_.row(row.first),
+                  *b = submission_.row(std::min(row.first + 1, submission_.height - 1));
+      for (std::uint32_t x = from; x < to; ++x) mixed[x] = a[x] + row.weight * (b[x] - a[x]);
+      const float* t = grid.row(y) + x0;
+      float s = 0, ss = 0, ts = 0;
+      for (std::size_t i = 0; i < taps.size(); ++i) {
+        const float* p = mixed.data() + taps[i].first;
+        const float value = p[0] + taps[i].weight * (p[next] - p[0]);
+        s += value;
+        ss += value * value;
+        ts += value * t[i];
       }
+      sums.s += static_cast<double>(s);
+      sums.ss += static_cast<double>(ss);
+      sums.ts += static_cast<double>(ts);
     }
-    return sums.likeness(static_cast<double>(searched.values.size()), energy);
+    sums.n = (x1 - x0) * static_cast<double>(y1 - y0);
+    const std::array<double, 2> of_template = searched_.table.over(x0, y0, x1, y1);
+    sums.t = of_template[0];
+    sums.tt = of_template[1];
+    return sums.likeness(static_cast<double>(grid.values.size()), searched_.table.energy());
   }
 
   /// Climbs from a placement: shifts and scales of both axes by steps that are halved. The first
   /// ones are in the template's pixels.
   double refine(GridPlacement& at, double first, double last) const {
     double best = likeness(at);
-    const double w = searched.width, h = searched.height;
+    const double w = searched_.grid.width, h = searched_.grid.height;
     for (double step = first; step >= last; step /= 2) {
       for (int round = 0; round < 6; ++round) {
         bool better = false;
@@ -129,6 +181,10 @@ struct Level {
     }
     return best;
   }
+
+ private:
+  const Searched& searched_;
+  const Grid& submission_;
 };
 
 /// The placement of one size of template and submission in those of another.
@@ -151,30 +207,37 @@ struct Hypothesis {
 };
 
 /// All shifts of a template in a submission, both small; the best few.
-void slide(const Grid& small, double energy, const Grid& where, double least,
-           const auto& found) {
-  const auto w = static_cast<std::int32_t>(small.width), h = static_cast<std::int32_t>(small.height);
+void slide(const Searched& small, const Grid& where, double least, const auto& found) {
+  const auto w = static_cast<std::int32_t>(small.grid.width),
+             h = static_cast<std::int32_t>(small.grid.height);
   const auto width = static_cast<std::int32_t>(where.width),
              height = static_cast<std::int32_t>(where.height);
+  const Table table(where);
+  const auto sums_of = [](const Table& of, std::int32_t x0, std::int32_t y0, std::int32_t x1,
+                          std::int32_t y1) {
+    return of.over(static_cast<std::size_t>(x0), static_cast<std::size_t>(y0),
+                   static_cast<std::size_t>(x1), static_cast<std::size_t>(y1));
+  };
   for (std::int32_t top = -2 * h / 5; top <= height - 3 * h / 5; ++top)
     for (std::int32_t left = -2 * w / 5; left <= width - 3 * w / 5; ++left) {
       const std::int32_t x0 = std::max(0, -left), x1 = std::min(w, width - left),
                          y0 = std::max(0, -top), y1 = std::min(h, height - top);
       if ((x1 - x0) * (y1 - y0) * 2 < w * h) continue;
-      float t = 0, tt = 0, s = 0, ss = 0, ts = 0;
+      std::array<float, 4> ts{};
       for (std::int32_t y = y0; y < y1; ++y) {
-        const float* a = small.row(static_cast<std::uint32_t>(y));
+        const float* a = small.grid.row(static_cast<std::uint32_t>(y));
         const float* b = where.row(static_cast<std::uint32_t>(y + top)) + left;
-        for (std::int32_t x = x0; x < x1; ++x) {
-          t += a[x], tt += a[x] * a[x];
-          s += b[x], ss += b[x] * b[x];
-          ts += a[x] * b[x];
-        }
+        std::int32_t x = x0;
+        for (; x + 4 <= x1; x += 4)
+          for (std::int32_t i = 0; i < 4; ++i) ts[static_cast<std::size_t>(i)] += a[x + i] * b[x + i];
+        for (; x < x1; ++x) ts[0] += a[x] * b[x];
       }
-      const Sums sums{static_cast<double>((x1 - x0) * (y1 - y0)), static_cast<double>(t),
-                      static_cast<double>(tt), static_cast<double>(s), static_cast<double>(ss),
-                      static_cast<double>(ts)};
-      if (const double like = sums.likeness(w * h, energy); like > least) found(left, top, like);
+      const std::array<double, 2> t = sums_of(small.table, x0, y0, x1, y1),
+                                  s = sums_of(table, x0 + left, y0 + top, x1 + left, y1 + top);
+      const Sums sums{static_cast<double>((x1 - x0) * (y1 - y0)), t[0], t[1], s[0], s[1],
+                      static_cast<double>((ts[0] + ts[1]) + (ts[2] + ts[3]))};
+      if (const double like = sums.likeness(w * h, small.table.energy()); like > least)
+        found(left, top, like);
     }
 }
 
@@ -201,27 +264,35 @@ Grid outlines(const Image& image) {
   return out;
 }
 
+struct Template::Sizes {
+  explicit Sizes(const Grid& full)
+      : coarse(reduced_to(full, kCoarse)),
+        middle(reduced_to(full, kMiddle)),
+        fine(reduced_to(full, kFine)) {}
+  Searched coarse, middle, fine;
+};
+
 Template::Template(const std::vector<const Image*>& pictures) {
   for (const Image* picture : pictures) {
     const Grid one = outlines(*picture);
     if (outlines_.values.empty()) outlines_ = Grid(one.width, one.height);
     for (std::size_t i = 0; i < one.values.size(); ++i) outlines_.values[i] += one.values[i];
   }
+  sizes_ = std::make_shared<const Sizes>(outlines_);
 }
 
 Template Template::mirrored() const {
   Template other = *this;
   for (std::uint32_t y = 0; y < outlines_.height; ++y)
     std::reverse(other.outlines_.row(y), other.outlines_.row(y) + outlines_.width);
+  other.sizes_ = std::make_shared<const Sizes>(other.outlines_);
   return other;
 }
 
 std::vector<Position> Template::find(const Image& submission) const {
   const Grid drawn = outlines(submission);
-  const Grid &full = outlines_, coarse = reduced_to(full, kCoarse),
-              middle = reduced_to(full, kMiddle), fine = reduced_to(full, kFine);
-  const double of_coarse = energy_of(coarse), of_middle = energy_of(middle),
-               of_fine = energy_of(fine);
+  const Grid &full = outlines_, &coarse = sizes_->coarse.grid, &middle = sizes_->middle.grid,
+             &fine = sizes_->fine.grid;
   std::vector<Turned> turns;
   for (const bool transpose : {false, true})
     for (const bool flip : {false, true}) {
@@ -242,7 +313,7 @@ std::vector<Position> Template::find(const Image& submission) const {
                  sy = static_cast<double>(height) / whole.height;
     const Grid small = resampled(whole, {0, 0, 1 / sx, 1 / sy}, width, height);
     GridPlacement at = rescaled(hypothesis.at, middle.width / w, middle.height / h, sx, sy);
-    hypothesis.likeness = Level{middle, small, of_middle}.refine(at, first, last);
+    hypothesis.likeness = Level(sizes_->middle, small).refine(at, first, last);
     hypothesis.at = rescaled(at, w / middle.width, h / middle.height, 1 / sx, 1 / sy);
   };
 
@@ -277,7 +348,7 @@ std::vector<Position> Template::find(const Image& submission) const {
                      sy = static_cast<double>(height) / turns[i].full.height;
         const Grid small = resampled(base, {0, 0, base_x / sx, base_y / sy}, width, height);
         Hypothesis best{i, {}, -1, i == 0 ? 0.05 : 0};
-        slide(coarse, of_coarse, small, 0.2, [&](std::int32_t left, std::int32_t top, double like) {
+        slide(sizes_->coarse, small, 0.2, [&](std::int32_t left, std::int32_t top, double like) {
           if (like <= best.likeness) return;
           best.likeness = like;
           best.at = rescaled({static_cast<double>(left), static_cast<double>(top), 1, 1},
@@ -307,7 +378,7 @@ std::vector<Position> Template::find(const Image& submission) const {
   const double sx = static_cast<double>(width) / turned.full.width,
                sy = static_cast<double>(height) / turned.full.height;
   const Grid small = resampled(turned.full, {0, 0, 1 / sx, 1 / sy}, width, height);
-  const Level level{fine, small, of_fine};
+  const Level level(sizes_->fine, small);
   GridPlacement at = rescaled(chosen.at, fine.width / w, fine.height / h, sx, sy);
   Position position{turned.transposed, turned.flipped, {}, level.refine(at, 1, 0.06)};
   position.placement = rescaled(at, w / fine.width, h / fine.height, 1 / sx, 1 / sy);

@@ -3,6 +3,8 @@
 // and colour leave where they are.
 #pragma once
 
+#include <memory>
+
 #include "school/grade/resample.hpp"
 
 namespace zraka {
@@ -31,7 +33,9 @@ class Template {
   std::vector<Position> find(const Image& submission) const;
 
  private:
+  struct Sizes;
   Grid outlines_;
+  std::shared_ptr<const Sizes> sizes_;  ///< of the steps of the search
 };
 
 }  // namespace zraka

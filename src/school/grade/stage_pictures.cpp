@@ -10,6 +10,12 @@
 #include "school/grade/align.hpp"
 
 namespace zraka {
+namespace {
+
+/// Bytes of mistakes' pictures in another size than the scene's.
+constexpr std::size_t kMostKept = std::size_t{64} << 20;
+
+}  // namespace
 
 RenderOptions StagePictures::options_of(int stage) const {
   RenderOptions asked = options_;
@@ -47,6 +53,24 @@ Result<std::unique_ptr<StagePictures>> StagePictures::create(const Scene& scene,
                               &made->right(7)});
   made->mirrored_outlines_ = made->outlines_.mirrored();
   return made;
+}
+
+std::unique_ptr<StagePictures> StagePictures::in_size(const StagePictures& other,
+                                                      std::uint32_t width, std::uint32_t height) {
+  auto scene = std::make_unique<Scene>(other.scene_);
+  scene->resolution = {width, height};
+  return std::unique_ptr<StagePictures>(
+      new StagePictures(std::move(scene), other.options_, other.rubric_));
+}
+
+const Image& StagePictures::right(int stage) const {
+  const std::size_t i = index(stage);
+  std::call_once(right_once_[i], [&] {
+    if (!right_[i].pixels.empty()) return;
+    // What one size can show another can.
+    tbb::this_task_arena::isolate([&] { right_[i] = render(stage, Mistake::none).value(); });
+  });
+  return right_[i];
 }
 
 std::vector<Candidate> StagePictures::render_all(int stage) const {
@@ -109,18 +133,34 @@ const std::vector<Candidate>& StagePictures::mistaken_besides(int stage, Mistake
 
 Image StagePictures::picture(int stage, const MistakenBy& by) const {
   if (by == MistakenBy{}) return right(stage);
-  if (by.second == Mistake::none)
+  if (own_scene_ == nullptr && by.second == Mistake::none)
     for (const Candidate& candidate : mistaken(stage))
       if (candidate.by == by) return candidate.picture.image();
-  return render(stage, by).value();
+  if (own_scene_ == nullptr) return render(stage, by).value();
+  const std::tuple key(stage, by.first, by.second);
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = kept_.find(key); found != kept_.end()) return found->second.image();
+  }
+  Image made;
+  tbb::this_task_arena::isolate([&] { made = render(stage, by).value(); });
+  const std::lock_guard lock(mutex_);
+  const std::size_t bytes = made.pixels.size();
+  if (kept_.size() * bytes < kMostKept) kept_.try_emplace(key, made);
+  return made;
 }
 
-Image sampled(const Image& image, std::uint32_t stride) {
-  Image out(image.width / stride, image.height / stride);
-  for (std::uint32_t y = 0; y < out.height; ++y)
-    for (std::uint32_t x = 0; x < out.width; ++x)
-      std::copy_n(image.row(y * stride) + std::size_t{3} * x * stride, 3,
-                  out.row(y) + std::size_t{3} * x);
+Image sampled(const Image& image, std::uint32_t width, std::uint32_t height) {
+  Image out(width, height);
+  // The lab's rays go through the corners of pixels.
+  const auto nearest = [](std::uint32_t i, std::uint32_t of, std::uint32_t in) {
+    return std::min(in - 1, static_cast<std::uint32_t>((2 * std::uint64_t{i} * in + of) / (2 * of)));
+  };
+  for (std::uint32_t y = 0; y < height; ++y)
+    for (std::uint32_t x = 0; x < width; ++x)
+      std::copy_n(image.row(nearest(y, height, image.height)) +
+                      std::size_t{3} * nearest(x, width, image.width),
+                  3, out.row(y) + std::size_t{3} * x);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <tuple>
 #include <zraka/school/grade.hpp>
 
 #include "image/packed.hpp"
@@ -27,10 +28,14 @@ class StagePictures {
                                                        const RenderOptions& options,
                                                        const Rubric& rubric);
 
+  /// The same scene's pictures in another size.
+  static std::unique_ptr<StagePictures> in_size(const StagePictures& other, std::uint32_t width,
+                                                std::uint32_t height);
+
   const Scene& scene() const { return scene_; }
   const Rubric& rubric() const { return rubric_; }
   RenderOptions options_of(int stage) const;
-  const Image& right(int stage) const { return right_[index(stage)]; }
+  const Image& right(int stage) const;
   const Image& coarse(int stage) const { return coarse_[index(stage)]; }
   const Template& outlines() const { return outlines_; }
   const Template& mirrored_outlines() const { return mirrored_outlines_; }
@@ -46,6 +51,9 @@ class StagePictures {
  private:
   StagePictures(const Scene& scene, const RenderOptions& options, const Rubric& rubric)
       : scene_(scene), options_(options), rubric_(rubric) {}
+  StagePictures(std::unique_ptr<const Scene> scene, const RenderOptions& options,
+                const Rubric& rubric)
+      : own_scene_(std::move(scene)), scene_(*own_scene_), options_(options), rubric_(rubric) {}
   static std::size_t index(int stage) { return static_cast<std::size_t>(stage - 1); }
   Result<Image> render(int stage, const MistakenBy& by, std::uint32_t stride = 1) const;
   std::vector<Candidate> render_all(int stage) const;
@@ -55,17 +63,22 @@ class StagePictures {
     std::once_flag once;
     std::vector<Candidate> pictures;
   };
+  std::unique_ptr<const Scene> own_scene_;  ///< where it is none of the caller's
   const Scene& scene_;
   RenderOptions options_;
   Rubric rubric_;
-  std::array<Image, 7> right_, coarse_;
+  mutable std::array<Image, 7> right_;
+  mutable std::array<std::once_flag, 7> right_once_;
+  std::array<Image, 7> coarse_;
   Template outlines_, mirrored_outlines_;
   mutable std::array<Made, 7> mistaken_;
   mutable std::mutex mutex_;
   mutable std::map<std::pair<int, Mistake>, Made> besides_;
+  /// Of mistakes in another size than the scene's.
+  mutable std::map<std::tuple<int, Mistake, Mistake>, PackedImage> kept_;
 };
 
-/// Every `stride`-th pixel of every `stride`-th row.
-Image sampled(const Image& image, std::uint32_t stride);
+/// The pixels of a picture that a smaller one of the same scene has, or the nearest to them.
+Image sampled(const Image& image, std::uint32_t width, std::uint32_t height);
 
 }  // namespace zraka

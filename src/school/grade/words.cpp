@@ -36,6 +36,7 @@ std::string alignment_text(Language language, const Alignment& a) {
   if (a.flipped) add(say(language, Word::grade_turned));
   if (a.scaled)
     add(say(language, Word::grade_scaled, percent(language, a.across), percent(language, a.down)));
+  if (a.drawn_width != 0) add(say(language, Word::grade_drawn, a.drawn_width, a.drawn_height));
   if (a.cut)
     add(say(language, Word::grade_cut, decimal(language, a.left, 1), decimal(language, a.top, 1)));
   if (a.swapped) add(say(language, Word::grade_swapped));

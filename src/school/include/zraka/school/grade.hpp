@@ -39,10 +39,12 @@ struct Alignment {
   bool cut = false;        ///< a part of a window, or a part of the picture
   double across = 1, down = 1;  ///< its pixels for one of the right picture
   double left = 0, top = 0;     ///< where the picture begins in it
+  /// Where it was compared in its own size, with the scene rendered anew; 0: the scene's.
+  std::uint32_t drawn_width = 0, drawn_height = 0;
   double visible = 1;           ///< the share of the picture that was handed in, and judged
   bool plain() const {
     return !flipped && !transposed && !swapped && curve == Curve::none && !unpainted && !scaled &&
-           !cut;
+           !cut && drawn_width == 0;
   }
 };
 
@@ -109,6 +111,8 @@ class Grader {
 
   /// The picture of a stage as an 8 bit file has it, right or with mistakes.
   Image picture(int stage, const MistakenBy& by = {}) const;
+  /// The same in the size that a submission's picture was compared in.
+  Image picture(const StageGrade& judged, const MistakenBy& by = {}) const;
   const Rubric& rubric() const;
 
   /// The first of the stage's pixels, right and as the named mistakes make it. None where none is

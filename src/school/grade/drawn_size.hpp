@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene in the sizes that students' programs draw in: their pictures are then compared pixel by
+// pixel, as those in the scene's own size are.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "school/grade/align.hpp"
+
+namespace zraka {
+
+class StagePictures;
+
+/// The scene's pictures in other sizes, made when they are first asked for.
+class SizedPictures {
+ public:
+  explicit SizedPictures(const StagePictures& own);
+  ~SizedPictures();
+  SizedPictures(const SizedPictures&) = delete;
+  SizedPictures& operator=(const SizedPictures&) = delete;
+
+  /// The scene's own ones where it is its size; nullptr where the size is none of its shape, or
+  /// larger than what is kept, or where there are too many already.
+  const StagePictures* of(std::uint32_t width, std::uint32_t height) const;
+
+ private:
+  const StagePictures& own_;
+  mutable std::mutex mutex_;
+  mutable std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<StagePictures>> others_;
+  mutable std::uint64_t pixels_ = 0;  ///< of all sizes
+};
+
+/// Puts before each scaled fit of a submission the one in the size that a program may have drawn it
+/// in, which leaves its pixels as they are.
+void add_drawn_sizes(const Image& submitted, const SizedPictures& sizes, std::vector<Fitted>& fitted);
+
+}  // namespace zraka
