@@ -41,15 +41,22 @@ Region visible_region(const Fitted& fitted, std::uint32_t width, std::uint32_t h
 
 }  // namespace
 
+Image turned_by(const Image& submitted, const Turn& turn) {
+  Image turned = turn.flipped_first ? flipped_vertically(submitted) : submitted;
+  if (turn.transposed) turned = transposed(turned);
+  return turn.flipped ? flipped_vertically(turned) : turned;
+}
+
 Fitted fitted_at(const Position& position, Image painted, bool unpainted, std::uint32_t width,
                  std::uint32_t height) {
   Fitted fitted;
-  if (position.transposed) painted = transposed(painted);
-  if (position.flipped) painted = flipped_vertically(painted);
+  const Turn& turn = position.turn;
+  painted = turned_by(painted, turn);
   Alignment& alignment = fitted.alignment;
   alignment.unpainted = unpainted;
-  alignment.transposed = position.transposed;
-  alignment.flipped = position.flipped;
+  fitted.turn = turn;
+  alignment.transposed = turn.transposed;
+  alignment.flipped = turn.flipped != turn.flipped_first;
   fitted.width = painted.width;
   fitted.height = painted.height;
   const GridPlacement& at = fitted.placement = position.placement;

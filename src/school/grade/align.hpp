@@ -27,6 +27,7 @@ struct Fitted {
   bool exact = true;    ///< pixel by pixel as it was handed in
   double smallest = 1;  ///< its scale: below 1, details are lost
   double likeness = 0;  ///< of outlines
+  Turn turn{};
   GridPlacement placement{};
   std::uint32_t width = 0, height = 0;  ///< as it was handed in, turned
   /// Of the size that it was drawn in; nullptr where that is the scene's own.
@@ -36,6 +37,8 @@ struct Fitted {
 /// Finds a right picture of width × height in a submission: where it may be, the plainest first.
 std::vector<Fitted> fit(const Image& submitted, const Template& searched, std::uint32_t width,
                         std::uint32_t height);
+
+Image turned_by(const Image& submitted, const Turn& turn);
 
 /// What lies at a position in a submission, whose unpainted lines were filled or not.
 Fitted fitted_at(const Position& position, Image painted, bool unpainted, std::uint32_t width,

@@ -2,6 +2,7 @@
 #include "school/grade/drawn_size.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "image/alter.hpp"
@@ -15,6 +16,11 @@ namespace {
 constexpr std::uint64_t kMostOfOne = std::uint64_t{1} << 20, kMostOfAll = std::uint64_t{4} << 20;
 /// Smaller ones show too little.
 constexpr std::uint32_t kLeastSide = 48;
+/// What is no farther from the background has its colour.
+constexpr float kSameColor = 0.03F;
+constexpr std::size_t kLeastOutline = 40;
+/// So much of an outline's pixels are on their sides of it where a program has drawn them.
+constexpr double kOfAll = 0.85, kOfJpeg = 0.7;
 
 }  // namespace
 
@@ -36,27 +42,93 @@ const StagePictures* SizedPictures::of(std::uint32_t width, std::uint32_t height
   return (others_[{width, height}] = StagePictures::in_size(own_, width, height)).get();
 }
 
-void add_drawn_sizes(const Image& submitted, const SizedPictures& sizes,
+namespace {
+
+/// The pixels on both sides of a silhouette's outline.
+struct Outline {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> inside, outside;
+};
+
+Outline outline_of(const Image& silhouette) {
+  Outline outline;
+  const auto lit = [&](std::uint32_t x, std::uint32_t y) {
+    return silhouette.row(y)[std::size_t{3} * x] > 0.5F;
+  };
+  for (std::uint32_t y = 1; y + 1 < silhouette.height; ++y)
+    for (std::uint32_t x = 1; x + 1 < silhouette.width; ++x) {
+      const bool here = lit(x, y);
+      if (lit(x - 1, y) != here || lit(x + 1, y) != here || lit(x, y - 1) != here ||
+          lit(x, y + 1) != here)
+        (here ? outline.inside : outline.outside).emplace_back(x, y);
+    }
+  return outline;
+}
+
+/// The share of an outline's pixels that are on their sides of it: all where a program has drawn
+/// them, few where a screen has scaled them.
+double on_their_sides(const Outline& outline, const Image& picture, std::int64_t left,
+                      std::int64_t top, const std::array<float, 3>& background) {
+  std::size_t right = 0, all = 0;
+  const auto count = [&](const auto& pixels, bool is_background) {
+    for (const auto& [x, y] : pixels) {
+      const std::int64_t u = left + x, v = top + y;
+      if (u < 0 || v < 0 || u >= picture.width || v >= picture.height) continue;
+      const float* p = picture.row(static_cast<std::uint32_t>(v)) + 3 * u;
+      float most = 0;
+      for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::fabs(p[c] - background[c]));
+      ++all;
+      right += (most < kSameColor) == is_background;
+    }
+  };
+  count(outline.inside, false);
+  count(outline.outside, true);
+  return all < kLeastOutline ? 0 : static_cast<double>(right) / static_cast<double>(all);
+}
+
+}  // namespace
+
+void add_drawn_sizes(const Image& submitted, bool jpeg, const SizedPictures& sizes,
                      std::vector<Fitted>& fitted) {
   std::vector<Fitted> all;
   for (Fitted& one : fitted) {
     const GridPlacement at = one.placement;
-    const Alignment& alignment = one.alignment;
-    if (alignment.scaled && !alignment.unpainted && std::fabs(at.across / at.down - 1) < 0.02) {
-      const double width = at.across * one.image.width, height = at.down * one.image.height;
-      auto w = static_cast<std::uint32_t>(std::lround(width)),
-           h = static_cast<std::uint32_t>(std::lround(height));
+    const double width = at.across * one.image.width, height = at.down * one.image.height;
+    const bool may_be = one.alignment.scaled && !one.alignment.unpainted &&
+                        std::fabs(at.across / at.down - 1) < 0.02;
+    double most = jpeg ? kOfJpeg : kOfAll;
+    Position best{};
+    const StagePictures* found = nullptr;
+    const Image turned = may_be ? turned_by(submitted, one.turn) : Image();
+    for (int more = -1; more <= 1 && may_be; ++more) {
+      auto w = static_cast<std::uint32_t>(std::lround(width) + more),
+           h = static_cast<std::uint32_t>(std::lround(height) + more);
       if (one.image.width == one.image.height)
-        w = h = static_cast<std::uint32_t>(std::lround((width + height) / 2));
-      if (const StagePictures* pictures = sizes.of(w, h); pictures != nullptr) {
-        // The middle tells best where it lies.
-        const Position position{alignment.transposed, alignment.flipped,
-                                {std::round(at.left + (width - w) / 2),
-                                 std::round(at.top + (height - h) / 2), 1, 1},
-                                one.likeness};
-        all.push_back(fitted_at(position, submitted, false, w, h));
-        all.back().pictures = pictures;
-      }
+        w = h = static_cast<std::uint32_t>(std::lround((width + height) / 2) + more);
+      // A whole one is as large as it is.
+      if (!one.alignment.cut && (w != turned.width || h != turned.height)) continue;
+      const StagePictures* pictures = sizes.of(w, h);
+      if (pictures == nullptr) continue;
+      const Outline outline = outline_of(pictures->right(1));
+      // The middle tells best where it lies.
+      const auto left = std::lround(at.left + (width - w) / 2),
+                 top = std::lround(at.top + (height - h) / 2);
+      const int reach = one.alignment.cut ? 2 : 0;
+      for (int y = -reach; y <= reach; ++y)
+        for (int x = -reach; x <= reach; ++x) {
+          const double share =
+              on_their_sides(outline, turned, left + x, top + y, pictures->background());
+          if (share <= most) continue;
+          most = share;
+          found = pictures;
+          best = {one.turn,
+                  {static_cast<double>(left + x), static_cast<double>(top + y), 1, 1},
+                  one.likeness};
+        }
+    }
+    if (found != nullptr) {
+      all.push_back(
+          fitted_at(best, submitted, false, found->right(1).width, found->right(1).height));
+      all.back().pictures = found;
     }
     all.push_back(std::move(one));
   }

@@ -37,6 +37,7 @@ class SizedPictures {
 
 /// Puts before each scaled fit of a submission the one in the size that a program may have drawn it
 /// in, which leaves its pixels as they are.
-void add_drawn_sizes(const Image& submitted, const SizedPictures& sizes, std::vector<Fitted>& fitted);
+void add_drawn_sizes(const Image& submitted, bool jpeg, const SizedPictures& sizes,
+                     std::vector<Fitted>& fitted);
 
 }  // namespace zraka

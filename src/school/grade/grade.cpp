@@ -41,8 +41,9 @@ struct Grader::Impl {
                 .share() <= pictures->rubric().share)
           return {{as_it_is(read.image)}, read.format == "JPEG", &read.image};
     std::vector<Fitted> fitted = fit(read.image, pictures->outlines(), right.width, right.height);
-    add_drawn_sizes(read.image, sizes, fitted);
-    return {std::move(fitted), read.format == "JPEG", &read.image};
+    const bool jpeg = read.format == "JPEG";
+    add_drawn_sizes(read.image, jpeg, sizes, fitted);
+    return {std::move(fitted), jpeg, &read.image};
   }
   StageGrade judge_one(int stage, const std::string& file, const Result<ReadImage>& submitted,
                        const std::set<Mistake>& known = {}) const;

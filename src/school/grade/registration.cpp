@@ -4,20 +4,20 @@
 #include "school/grade/registration.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <utility>
+
+#include "school/grade/correlation.hpp"
 
 namespace zraka {
 namespace {
 
 /// Sides of the right picture in the steps of the search.
 constexpr std::uint32_t kCoarse = 24, kMiddle = 64, kFine = 200;
-/// This much of the picture has to be in the submission, in pixels and in outlines.
-constexpr double kLeast = 0.5;
 /// A position that is as good as this needs no search.
 constexpr double kGood = 0.8;
+/// A scale that is as near to 1 as this may be 1: frames of windows pull at edges.
+constexpr double kNearlyOne = 0.03;
 constexpr double kSmallest = 0.45, kLargest = 3.3, kStep = 1.07;
 
 Grid reduced_to(const Grid& plane, std::uint32_t side) {
@@ -34,159 +34,6 @@ Grid reduced_to(const Grid& plane, std::uint32_t side) {
                    width, height);
 }
 
-/// Sums of a correlation.
-struct Sums {
-  double n = 0, t = 0, tt = 0, s = 0, ss = 0, ts = 0;
-  /// Less what is not visible, in pixels `all` and in squares `energy` of the template.
-  double likeness(double all, double energy) const {
-    if (n < kLeast * all || tt < kLeast * energy) return -1;
-    const double of_t = tt - t * t / n, of_s = ss - s * s / n;
-    if (of_t <= 1e-9 || of_s <= 1e-9) return -1;
-    return (ts - t * s / n) / std::sqrt(of_t * of_s) * (0.7 + 0.3 * tt / energy);
-  }
-};
-
-/// Sums over any rectangle of a grid, of its values and of their squares.
-class Table {
- public:
-  explicit Table(const Grid& grid)
-      : stride_(std::size_t{grid.width} + 1), sums_(stride_ * (std::size_t{grid.height} + 1)) {
-    for (std::uint32_t y = 0; y < grid.height; ++y) {
-      std::array<double, 2> row{};
-      for (std::uint32_t x = 0; x < grid.width; ++x) {
-        const auto value = static_cast<double>(grid.row(y)[x]);
-        row[0] += value;
-        row[1] += value * value;
-        const std::size_t here = (y + 1) * stride_ + x + 1;
-        for (std::size_t i = 0; i < 2; ++i) sums_[here][i] = sums_[here - stride_][i] + row[i];
-      }
-    }
-  }
-  /// Right and bottom are outside.
-  std::array<double, 2> over(std::size_t left, std::size_t top, std::size_t right,
-                             std::size_t bottom) const {
-    std::array<double, 2> sum{};
-    for (std::size_t i = 0; i < 2; ++i)
-      sum[i] = sums_[bottom * stride_ + right][i] - sums_[bottom * stride_ + left][i] -
-               sums_[top * stride_ + right][i] + sums_[top * stride_ + left][i];
-    return sum;
-  }
-  double energy() const { return sums_.back()[1]; }
-
- private:
-  std::size_t stride_;
-  std::vector<std::array<double, 2>> sums_;
-};
-
-/// The template in one of its sizes.
-struct Searched {
-  explicit Searched(Grid grid_of) : grid(std::move(grid_of)), table(grid) {}
-  Grid grid;
-  Table table;
-};
-
-/// A template in one of its sizes, and the submission in its own; positions are of the template's
-/// pixels in the submission's.
-class Level {
- public:
-  Level(const Searched& searched, const Grid& submission)
-      : searched_(searched), submission_(submission) {}
-
-  double likeness(const GridPlacement& at) const {
-    const Grid& grid = searched_.grid;
-    const double width = submission_.width, height = submission_.height;
-    // What is visible is a rectangle.
-    const auto visible = [](double start, double step, double size, std::uint32_t count) {
-      std::pair<std::uint32_t, std::uint32_t> seen{0, count};
-      const auto inside = [&](std::uint32_t i) {
-        const double u = start + (i + 0.5) * step;
-        return u >= 0 && u <= size;
-      };
-      while (seen.first < seen.second && !inside(seen.first)) ++seen.first;
-      while (seen.first < seen.second && !inside(seen.second - 1)) --seen.second;
-      return seen;
-    };
-    const auto [x0, x1] = visible(at.left, at.across, width, grid.width);
-    const auto [y0, y1] = visible(at.top, at.down, height, grid.height);
-    if (x0 == x1 || y0 == y1) return -1;
-    struct Tap {
-      std::uint32_t first;
-      float weight;
-    };
-    const auto tap = [](double u, double size) {
-      const double c = std::clamp(u - 0.5, 0.0, size - 1.001);
-      const double whole = std::floor(c);
-      return Tap{static_cast<std::uint32_t>(whole), static_cast<float>(c - whole)};
-    };
-    std::vector<Tap> taps;
-    for (std::uint32_t x = x0; x < x1; ++x) taps.push_back(tap(at.left + (x + 0.5) * at.across, width));
-    const std::uint32_t from = std::min(taps.front().first, taps.back().first),
-                        next = submission_.width > 1 ? 1 : 0,
-                        to = std::max(taps.front().first, taps.back().first) + next + 1;
-    std::vector<float> mixed(submission_.width);
-    Sums sums;
-    for (std::uint32_t y = y0; y < y1; ++y) {
-      const Tap row = tap(at.top + (y + 0.5) * at.down, height);
-      const float *a = submission_.row(row.first),
-                  *b = submission_.row(std::min(row.first + 1, submission_.height - 1));
-      for (std::uint32_t x = from; x < to; ++x) mixed[x] = a[x] + row.weight * (b[x] - a[x]);
-      const float* t = grid.row(y) + x0;
-      float s = 0, ss = 0, ts = 0;
-      for (std::size_t i = 0; i < taps.size(); ++i) {
-        const float* p = mixed.data() + taps[i].first;
-        const float value = p[0] + taps[i].weight * (p[next] - p[0]);
-        s += value;
-        ss += value * value;
-        ts += value * t[i];
-      }
-      sums.s += static_cast<double>(s);
-      sums.ss += static_cast<double>(ss);
-      sums.ts += static_cast<double>(ts);
-    }
-    sums.n = (x1 - x0) * static_cast<double>(y1 - y0);
-    const std::array<double, 2> of_template = searched_.table.over(x0, y0, x1, y1);
-    sums.t = of_template[0];
-    sums.tt = of_template[1];
-    return sums.likeness(static_cast<double>(grid.values.size()), searched_.table.energy());
-  }
-
-  /// Climbs from a placement: shifts and scales of both axes by steps that are halved. The first
-  /// ones are in the template's pixels.
-  double refine(GridPlacement& at, double first, double last) const {
-    double best = likeness(at);
-    const double w = searched_.grid.width, h = searched_.grid.height;
-    for (double step = first; step >= last; step /= 2) {
-      for (int round = 0; round < 6; ++round) {
-        bool better = false;
-        for (int move = 0; move < 10; ++move) {
-          GridPlacement next = at;
-          const double by = move % 2 == 0 ? step : -step;
-          // About the middle, so that scale and shift do not mix.
-          const auto stretch = [by](double& start, double& scale, double size) {
-            const double grown = scale * (1 + 2 * by / size);
-            start -= (grown - scale) * size / 2;
-            scale = grown;
-          };
-          if (move < 2) next.left += by * at.across;
-          else if (move < 4) next.top += by * at.down;
-          else if (move < 6) stretch(next.left, next.across, w);
-          else if (move < 8) stretch(next.top, next.down, h);
-          else stretch(next.left, next.across, w), stretch(next.top, next.down, h);
-          if (next.across / next.down > 1.08 || next.down / next.across > 1.08) continue;
-          if (const double like = likeness(next); like > best + 1e-7)
-            best = like, at = next, better = true;
-        }
-        if (!better) break;
-      }
-    }
-    return best;
-  }
-
- private:
-  const Searched& searched_;
-  const Grid& submission_;
-};
-
 /// The placement of one size of template and submission in those of another.
 GridPlacement rescaled(const GridPlacement& p, double template_by_x, double template_by_y,
                    double submission_by_x, double submission_by_y) {
@@ -195,7 +42,7 @@ GridPlacement rescaled(const GridPlacement& p, double template_by_x, double temp
 }
 
 struct Turned {
-  bool transposed, flipped;
+  Turn turn;
   Grid full;
 };
 
@@ -205,41 +52,6 @@ struct Hypothesis {
   double likeness;
   double bonus = 0;  ///< where nothing has to be taken for granted
 };
-
-/// All shifts of a template in a submission, both small; the best few.
-void slide(const Searched& small, const Grid& where, double least, const auto& found) {
-  const auto w = static_cast<std::int32_t>(small.grid.width),
-             h = static_cast<std::int32_t>(small.grid.height);
-  const auto width = static_cast<std::int32_t>(where.width),
-             height = static_cast<std::int32_t>(where.height);
-  const Table table(where);
-  const auto sums_of = [](const Table& of, std::int32_t x0, std::int32_t y0, std::int32_t x1,
-                          std::int32_t y1) {
-    return of.over(static_cast<std::size_t>(x0), static_cast<std::size_t>(y0),
-                   static_cast<std::size_t>(x1), static_cast<std::size_t>(y1));
-  };
-  for (std::int32_t top = -2 * h / 5; top <= height - 3 * h / 5; ++top)
-    for (std::int32_t left = -2 * w / 5; left <= width - 3 * w / 5; ++left) {
-      const std::int32_t x0 = std::max(0, -left), x1 = std::min(w, width - left),
-                         y0 = std::max(0, -top), y1 = std::min(h, height - top);
-      if ((x1 - x0) * (y1 - y0) * 2 < w * h) continue;
-      std::array<float, 4> ts{};
-      for (std::int32_t y = y0; y < y1; ++y) {
-        const float* a = small.grid.row(static_cast<std::uint32_t>(y));
-        const float* b = where.row(static_cast<std::uint32_t>(y + top)) + left;
-        std::int32_t x = x0;
-        for (; x + 4 <= x1; x += 4)
-          for (std::int32_t i = 0; i < 4; ++i) ts[static_cast<std::size_t>(i)] += a[x + i] * b[x + i];
-        for (; x < x1; ++x) ts[0] += a[x] * b[x];
-      }
-      const std::array<double, 2> t = sums_of(small.table, x0, y0, x1, y1),
-                                  s = sums_of(table, x0 + left, y0 + top, x1 + left, y1 + top);
-      const Sums sums{static_cast<double>((x1 - x0) * (y1 - y0)), t[0], t[1], s[0], s[1],
-                      static_cast<double>((ts[0] + ts[1]) + (ts[2] + ts[3]))};
-      if (const double like = sums.likeness(w * h, small.table.energy()); like > least)
-        found(left, top, like);
-    }
-}
 
 }  // namespace
 
@@ -265,11 +77,12 @@ Grid outlines(const Image& image) {
 }
 
 struct Template::Sizes {
-  explicit Sizes(const Grid& full)
-      : coarse(reduced_to(full, kCoarse)),
-        middle(reduced_to(full, kMiddle)),
-        fine(reduced_to(full, kFine)) {}
-  Searched coarse, middle, fine;
+  explicit Sizes(const Grid& grid)
+      : coarse(reduced_to(grid, kCoarse)),
+        middle(reduced_to(grid, kMiddle)),
+        fine(reduced_to(grid, kFine)),
+        full(grid) {}
+  Searched coarse, middle, fine, full;
 };
 
 Template::Template(const std::vector<const Image*>& pictures) {
@@ -289,17 +102,33 @@ Template Template::mirrored() const {
   return other;
 }
 
+/// By whole pixels, in the right picture's own size; all of its pixels are asked.
+GridPlacement Template::best_shift(const Grid& submission, const GridPlacement& found) const {
+  const Level level(sizes_->full, submission);
+  // The middle tells best where it lies.
+  const double left = std::round(found.left + outlines_.width / 2.0 * (found.across - 1)),
+               top = std::round(found.top + outlines_.height / 2.0 * (found.down - 1));
+  GridPlacement best{left, top, 1, 1};
+  double most = -1;
+  for (int y = -2; y <= 2; ++y)
+    for (int x = -2; x <= 2; ++x) {
+      const GridPlacement at{left + x, top + y, 1, 1};
+      if (const double like = level.likeness(at); like > most) most = like, best = at;
+    }
+  return best;
+}
+
 std::vector<Position> Template::find(const Image& submission) const {
   const Grid drawn = outlines(submission);
   const Grid &full = outlines_, &coarse = sizes_->coarse.grid, &middle = sizes_->middle.grid,
              &fine = sizes_->fine.grid;
   std::vector<Turned> turns;
-  for (const bool transpose : {false, true})
-    for (const bool flip : {false, true}) {
-      Grid plane = transpose ? transposed(drawn) : drawn;
-      if (flip) plane = upside_down(plane);
-      turns.push_back({transpose, flip, std::move(plane)});
-    }
+  for (const Turn& turn : kTurns) {
+    Grid plane = turn.flipped_first ? upside_down(drawn) : drawn;
+    if (turn.transposed) plane = transposed(plane);
+    if (turn.flipped) plane = upside_down(plane);
+    turns.push_back({turn, std::move(plane)});
+  }
   const double w = full.width, h = full.height;
 
   // A hypothesis at the middle size, with a submission whose pixels are about as large.
@@ -366,7 +195,7 @@ std::vector<Position> Template::find(const Image& submission) const {
     std::sort(all.begin(), all.end(), better);
   }
   if (all.empty() || all.front().likeness < 0)
-    return {{false, false, {0, 0, submission.width / w, submission.height / h}, 0}};
+    return {{{}, {0, 0, submission.width / w, submission.height / h}, 0}};
 
   // The finest size.
   const Hypothesis& chosen = all.front();
@@ -380,7 +209,7 @@ std::vector<Position> Template::find(const Image& submission) const {
   const Grid small = resampled(turned.full, {0, 0, 1 / sx, 1 / sy}, width, height);
   const Level level(sizes_->fine, small);
   GridPlacement at = rescaled(chosen.at, fine.width / w, fine.height / h, sx, sy);
-  Position position{turned.transposed, turned.flipped, {}, level.refine(at, 1, 0.06)};
+  Position position{turned.turn, {}, level.refine(at, 1, 0.06)};
   position.placement = rescaled(at, w / fine.width, h / fine.height, 1 / sx, 1 / sy);
 
   // Shifted by whole pixels, or scaled as a whole, where that is about as good; a picture of the
@@ -397,25 +226,23 @@ std::vector<Position> Template::find(const Image& submission) const {
   const auto add = [&](const GridPlacement& p) {
     const double like = level.likeness(rescaled(p, fine.width / w, fine.height / h, sx, sy));
     if (like < position.likeness - 0.05) return;
-    positions.push_back({turned.transposed, turned.flipped, p, like});
+    positions.push_back({turned.turn, p, like});
   };
   // In its own size it lies where it lies, but for a shift that outlines are sure of.
   const GridPlacement same{0, 0, 1, 1};
   const bool own_size = turned.full.width == full.width && turned.full.height == full.height;
-  if (own_size && near(same)) positions.push_back({turned.transposed, turned.flipped, same, 0});
-  GridPlacement shifted{std::round(found.left), std::round(found.top), 1, 1};
-  if (near(shifted)) {
-    // The middle tells best by how much.
-    shifted.left = std::round(found.left + w / 2 * (found.across - 1));
-    shifted.top = std::round(found.top + h / 2 * (found.down - 1));
-    if (!own_size || shifted != same) add(shifted);
+  if (own_size && near(same)) positions.push_back({turned.turn, same, 0});
+  GridPlacement shifted{0, 0, 1, 1};
+  if (off(found.across, 1) < kNearlyOne && off(found.down, 1) < kNearlyOne) {
+    shifted = best_shift(turned.full, found);
+    if (!own_size || shifted != same)
+      positions.push_back({turned.turn, shifted, position.likeness});
   }
   const GridPlacement whole{0, 0, turned.full.width / w, turned.full.height / h};
   if (near(whole)) {
     if (whole != shifted && !own_size) add(whole);
   } else if (off(submission.width / w, submission.height / h * 1.0) < 0.07 * submission.width / w) {
-    positions.push_back(
-        {false, false, {0, 0, submission.width / w, submission.height / h}, 0});
+    positions.push_back({{}, {0, 0, submission.width / w, submission.height / h}, 0});
   }
   positions.push_back(position);
   return positions;

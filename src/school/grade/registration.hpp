@@ -9,10 +9,19 @@
 
 namespace zraka {
 
-/// Where a picture lies in a submission that was turned first: columns and rows change places, then
-/// top and bottom.
+/// What was done to a submission before: top and bottom change places, then columns and rows, then
+/// top and bottom once more.
+struct Turn {
+  bool flipped_first = false, transposed = false, flipped = false;
+};
+/// All that the sheet's wording allows; the first leaves it as it is.
+inline constexpr Turn kTurns[] = {
+    {}, {.flipped = true}, {.transposed = true}, {.transposed = true, .flipped = true},
+    {.flipped_first = true, .transposed = true}};
+
+/// Where a picture lies in a submission that was turned first.
 struct Position {
-  bool transposed = false, flipped = false;
+  Turn turn;
   GridPlacement placement;
   double likeness = -1;  ///< correlation of outlines, at most 1
 };
@@ -34,6 +43,8 @@ class Template {
 
  private:
   struct Sizes;
+  GridPlacement best_shift(const Grid& submission, const GridPlacement& found) const;
+
   Grid outlines_;
   std::shared_ptr<const Sizes> sizes_;  ///< of the steps of the search
 };

@@ -12,8 +12,8 @@
 namespace zraka {
 namespace {
 
-/// Bytes of mistakes' pictures in another size than the scene's.
-constexpr std::size_t kMostKept = std::size_t{64} << 20;
+/// Bytes of mistakes' pictures that are kept, in the scene's size and in each other one.
+constexpr std::size_t kMostKept = std::size_t{192} << 20, kMostOfSize = std::size_t{48} << 20;
 
 }  // namespace
 
@@ -45,7 +45,9 @@ Result<std::unique_ptr<StagePictures>> StagePictures::create(const Scene& scene,
   for (int stage = 1; stage <= 7; ++stage) {
     Result<Image> picture = made->render(stage, Mistake::none);
     if (!picture) return tl::make_unexpected(picture.error());
-    made->coarse_[index(stage)] = reduced(*picture, kCoarseSide);
+    const std::uint32_t stride = made->stride(kCoarseSide);
+    made->coarse_[index(stage)] =
+        sampled(*picture, picture->width / stride, picture->height / stride);
     made->right_[index(stage)] = std::move(*picture);
   }
   // Silhouettes are in all pictures; light and mirrors add to them.
@@ -63,6 +65,15 @@ std::unique_ptr<StagePictures> StagePictures::in_size(const StagePictures& other
       new StagePictures(std::move(scene), other.options_, other.rubric_));
 }
 
+std::array<float, 3> StagePictures::background() const {
+  Image one(1, 1);
+  const Color& color = scene_.background;
+  one.pixels = {static_cast<float>(color.r), static_cast<float>(color.g),
+                static_cast<float>(color.b)};
+  const Image stored = as_stored(one, options_.profile.transfer, 8);
+  return {stored.pixels[0], stored.pixels[1], stored.pixels[2]};
+}
+
 const Image& StagePictures::right(int stage) const {
   const std::size_t i = index(stage);
   std::call_once(right_once_[i], [&] {
@@ -77,24 +88,28 @@ std::vector<Candidate> StagePictures::render_all(int stage) const {
   std::vector<Candidate> all;
   // Mistakes are those of the lab's rules.
   if (needs_general_engine(scene_, options_)) return all;
+  const std::uint32_t by = stride(kCoarseSide);
+  const Image& right = coarse_[index(stage)];
   for (const MistakeEntry& entry : all_mistakes()) {
     if (entry.first_stage > stage) continue;
-    // What render() refuses was refused by create().
-    const Image made = render(stage, entry.mistake).value();
+    // What render() refuses was refused by create(). Part of a pixel is so in its own size only.
+    const bool of_pixels = entry.mistake == Mistake::pixel_center || entry.mistake == Mistake::shifted;
+    Image made = of_pixels ? sampled(render(stage, entry.mistake).value(), right.width, right.height)
+                           : render(stage, entry.mistake, by).value();
     // A plain picture shows nothing, and one that would pass for right is no picture of a mistake.
     if (spread(made, {0, 0, made.width, made.height}) < 1e-4) continue;
-    if (measure_errors(made, right(stage), (rubric_.tolerance + 0.5) / 255).share() <=
-        rubric_.share)
+    if (measure_errors(made, right, (rubric_.tolerance + 0.5) / 255).share() <= rubric_.share)
       continue;
-    all.push_back({entry.mistake, reduced(made, kCoarseSide), PackedImage(made)});
+    all.push_back({entry.mistake, std::move(made)});
   }
   return all;
 }
 
-std::uint32_t StagePictures::stride() const {
+/// The largest that leaves a picture at least `side` pixels, all of which are the whole one's.
+std::uint32_t StagePictures::stride(std::uint32_t side) const {
   const std::uint32_t width = scene_.resolution.width, height = scene_.resolution.height;
   std::uint32_t best = 1;
-  for (std::uint32_t by = 2; std::max(width, height) / by >= kCoarseSide / 2; ++by)
+  for (std::uint32_t by = 2; std::max(width, height) / by >= side; ++by)
     if (width % (2 * by) == 0 && height % (2 * by) == 0) best = by;
   return best;
 }
@@ -104,9 +119,40 @@ std::vector<Candidate> StagePictures::render_besides(int stage, Mistake mistake)
   for (const Candidate& other : mistaken(stage)) {
     if (other.by.first == mistake) continue;
     const MistakenBy by(mistake, other.by.first);
-    all.push_back({by, render(stage, by, stride()).value(), {}});
+    all.push_back({by, besides(stage, by)});
   }
   return all;
+}
+
+Image StagePictures::besides(int stage, const MistakenBy& by) const {
+  return render(stage, by, stride(kCoarseSide / 2)).value();
+}
+
+const std::vector<double>& StagePictures::products(int stage) const {
+  Products& kept = products_[index(stage)];
+  const std::vector<Candidate>& all = mistaken(stage);
+  std::call_once(kept.once, [&] {
+    const Image& right = coarse_[index(stage)];
+    std::vector<std::vector<float>> changes;
+    for (const Candidate& candidate : all) {
+      changes.push_back(candidate.coarse.pixels);
+      for (std::size_t i = 0; i < right.pixels.size(); ++i) changes.back()[i] -= right.pixels[i];
+    }
+    kept.values.resize(all.size() * all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = 0; j <= i; ++j) {
+        // A thousand at a time, so that floats are enough.
+        double sum = 0;
+        for (std::size_t from = 0; from < right.pixels.size(); from += 1000) {
+          float part = 0;
+          for (std::size_t k = from; k < std::min(from + 1000, right.pixels.size()); ++k)
+            part += changes[i][k] * changes[j][k];
+          sum += static_cast<double>(part);
+        }
+        kept.values[i * all.size() + j] = kept.values[j * all.size() + i] = sum;
+      }
+  });
+  return kept.values;
 }
 
 const std::vector<Candidate>& StagePictures::mistaken(int stage) const {
@@ -133,10 +179,9 @@ const std::vector<Candidate>& StagePictures::mistaken_besides(int stage, Mistake
 
 Image StagePictures::picture(int stage, const MistakenBy& by) const {
   if (by == MistakenBy{}) return right(stage);
-  if (own_scene_ == nullptr && by.second == Mistake::none)
+  if (own_scene_ == nullptr && by.second == Mistake::none && stride(kCoarseSide) == 1)
     for (const Candidate& candidate : mistaken(stage))
-      if (candidate.by == by) return candidate.picture.image();
-  if (own_scene_ == nullptr) return render(stage, by).value();
+      if (candidate.by == by) return candidate.coarse;
   const std::tuple key(stage, by.first, by.second);
   {
     const std::lock_guard lock(mutex_);
@@ -145,8 +190,8 @@ Image StagePictures::picture(int stage, const MistakenBy& by) const {
   Image made;
   tbb::this_task_arena::isolate([&] { made = render(stage, by).value(); });
   const std::lock_guard lock(mutex_);
-  const std::size_t bytes = made.pixels.size();
-  if (kept_.size() * bytes < kMostKept) kept_.try_emplace(key, made);
+  if (kept_.size() * made.pixels.size() < (own_scene_ == nullptr ? kMostKept : kMostOfSize))
+    kept_.try_emplace(key, made);
   return made;
 }
 

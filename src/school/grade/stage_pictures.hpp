@@ -13,13 +13,12 @@
 
 namespace zraka {
 
-/// Pictures are first compared at about this size, those of two mistakes at about half of it.
+/// Pictures are first compared at no less than this size, those of two mistakes at half of it.
 inline constexpr std::uint32_t kCoarseSide = 100;
 
 struct Candidate {
   MistakenBy by;
   Image coarse;
-  PackedImage picture;  ///< a scene has hundreds of these
 };
 
 class StagePictures {
@@ -36,15 +35,21 @@ class StagePictures {
   const Rubric& rubric() const { return rubric_; }
   RenderOptions options_of(int stage) const;
   const Image& right(int stage) const;
+  /// As an 8 bit file has it.
+  std::array<float, 3> background() const;
   const Image& coarse(int stage) const { return coarse_[index(stage)]; }
   const Template& outlines() const { return outlines_; }
   const Template& mirrored_outlines() const { return mirrored_outlines_; }
 
-  /// The mistakes that this scene can show in the stage; made when they are first asked for.
+  /// The mistakes that this scene can show in the stage, of every stride()-th pixel, as `coarse`;
+  /// made when they are first asked for.
   const std::vector<Candidate>& mistaken(int stage) const;
-  /// The same on top of a mistake, of every stride()-th pixel only, as `coarse`.
+  /// Products of what any two of them change, one row for each.
+  const std::vector<double>& products(int stage) const;
+  /// The same on top of a mistake, with fewer pixels.
   const std::vector<Candidate>& mistaken_besides(int stage, Mistake mistake) const;
-  std::uint32_t stride() const;
+  /// One with two mistakes, with as few pixels.
+  Image besides(int stage, const MistakenBy& by) const;
   /// A picture as an 8 bit file has it.
   Image picture(int stage, const MistakenBy& by) const;
 
@@ -55,6 +60,7 @@ class StagePictures {
                 const Rubric& rubric)
       : own_scene_(std::move(scene)), scene_(*own_scene_), options_(options), rubric_(rubric) {}
   static std::size_t index(int stage) { return static_cast<std::size_t>(stage - 1); }
+  std::uint32_t stride(std::uint32_t side) const;
   Result<Image> render(int stage, const MistakenBy& by, std::uint32_t stride = 1) const;
   std::vector<Candidate> render_all(int stage) const;
   std::vector<Candidate> render_besides(int stage, Mistake mistake) const;
@@ -74,8 +80,13 @@ class StagePictures {
   mutable std::array<Made, 7> mistaken_;
   mutable std::mutex mutex_;
   mutable std::map<std::pair<int, Mistake>, Made> besides_;
-  /// Of mistakes in another size than the scene's.
+  /// With mistakes, as they were asked for; a scene has hundreds of these.
   mutable std::map<std::tuple<int, Mistake, Mistake>, PackedImage> kept_;
+  struct Products {
+    std::once_flag once;
+    std::vector<double> values;
+  };
+  mutable std::array<Products, 7> products_;
 };
 
 /// The pixels of a picture that a smaller one of the same scene has, or the nearest to them.

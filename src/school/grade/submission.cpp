@@ -82,8 +82,15 @@ Result<void> FolderReader::take(const fs::directory_entry& entry) {
   if ((type != fs::file_type::regular && type != fs::file_type::symlink) ||
       !(archive || is_picture(name)))
     return {};
-  if (archive && type == fs::file_type::regular)
-    return take_from_archive(entry.path().string(), name, pictures_);
+  if (archive && type == fs::file_type::regular) {
+    const std::size_t before = pictures_.size();
+    Result<void> good = take_from_archive(entry.path().string(), name, pictures_);
+    if (good) return good;
+    // What else lies there is marked all the same.
+    pictures_.resize(before);
+    pictures_.push_back({.file = name, .problems = std::move(good.error())});
+    return {};
+  }
   if (pictures_.size() == kMostPictures) return too_many_pictures(path_);
   SubmittedPicture picture{.file = name,
                            .stage = stage_of_name(entry.path().filename().string()),

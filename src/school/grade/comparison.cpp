@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "school/grade/comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zraka {
+namespace {
+
+/// So many candidates that come nearest with few pixels are compared with all.
+constexpr std::size_t kShortList = 12;
+
+/// A region of a picture in another size of it.
+Region scaled(const Region& r, std::uint32_t width, std::uint32_t height, std::uint32_t to_width,
+              std::uint32_t to_height) {
+  const auto one = [](std::uint32_t n, std::uint32_t of, std::uint32_t in, std::uint32_t more) {
+    return static_cast<std::uint32_t>((std::uint64_t{n} * in + more) / of);
+  };
+  return {one(r.left, width, to_width, width - 1), one(r.top, height, to_height, height - 1),
+          one(r.right, width, to_width, 0), one(r.bottom, height, to_height, 0)};
+}
+
+/// Do few pixels tell nothing of it?
+bool is_small_shift(Mistake mistake) {
+  return mistake == Mistake::pixel_center || mistake == Mistake::shifted;
+}
+
+}  // namespace
+
+StageComparison::StageComparison(const StagePictures& pictures, int stage, const Fitted& fitted, bool jpeg)
+    : pictures_(pictures),
+      sized_(fitted.pictures != nullptr ? *fitted.pictures : pictures),
+      stage_(stage),
+      wanted_(sized_.right(stage)),
+      fitted_(fitted),
+      close_(closeness_of(fitted, jpeg, pictures.rubric())) {
+  if (stage == 1) fitted_.image = as_silhouette(fitted_.image);
+  trim_frame(fitted_, wanted_);
+  ways_ = ways_to_align();
+  if (stage == 1) ways_.resize(1);
+}
+
+void StageComparison::take_way(std::size_t way) {
+  way_ = way;
+  taken_ = aligned(fitted_.image, ways_[way]);
+  smooth_ = smoothed(taken_, close_.blur);
+}
+
+bool StageComparison::compare_with_right() {
+  const Image picture = through_scaling(wanted_, fitted_);
+  right_ = {nullptr, way_, mean_square(taken_, picture, fitted_.region),
+            rest_of(smooth_, picture, fitted_.region, close_)};
+  return right_.rest.share <= close_.share && right_.rest.biased <= close_.biased &&
+         zraka::shows(taken_, picture, fitted_.region);
+}
+
+Image StageComparison::few(std::uint32_t width, std::uint32_t height) const {
+  return sampled(taken_, width, height);
+}
+
+Region StageComparison::region_of_few(std::uint32_t width, std::uint32_t height) const {
+  return scaled(fitted_.region, wanted_.width, wanted_.height, width, height);
+}
+
+std::vector<Match> StageComparison::nearest_by_few() const {
+  const Image& coarse = pictures_.coarse(stage_);
+  const Image less = sampled(fitted_.image, coarse.width, coarse.height);
+  const Region part = region_of_few(coarse.width, coarse.height);
+  std::vector<Match> all;
+  for (std::size_t way = 0; way < ways_.size(); ++way) {
+    const Image small = aligned(less, ways_[way]);
+    for (const Candidate& candidate : pictures_.mistaken(stage_))
+      all.push_back({&candidate, way, mean_square(small, candidate.coarse, part)});
+    all.push_back({nullptr, way, mean_square(small, coarse, part)});
+  }
+  return all;
+}
+
+std::size_t StageComparison::best_way(const std::vector<Match>& matches) const {
+  double as_is = std::numeric_limits<double>::infinity(), best = as_is;
+  std::size_t way = 0;
+  for (const Match& match : matches) {
+    if (match.way == 0) as_is = std::min(as_is, match.distance);
+    // Of two ways that are as good, the plainer.
+    if (match.distance < 0.9 * best) best = match.distance, way = match.way;
+  }
+  return best > 0.5 * as_is ? 0 : way;
+}
+
+Match StageComparison::look_at(const Candidate& candidate, const Image& picture) const {
+  return {&candidate, way_, mean_square(taken_, picture, fitted_.region),
+          rest_of(smooth_, picture, fitted_.region, close_)};
+}
+
+void StageComparison::look_closely(std::vector<Match>& matches) const {
+  std::erase_if(matches, [&](const Match& m) { return m.candidate == nullptr || m.way != way_; });
+  const auto nearer = [](const Match& a, const Match& b) { return a.distance < b.distance; };
+  std::sort(matches.begin(), matches.end(), nearer);
+  std::size_t place = 0;
+  std::erase_if(matches, [&](const Match& m) {
+    return place++ >= kShortList && !is_small_shift(m.candidate->by.first);
+  });
+  for (Match& match : matches)
+    match = look_at(*match.candidate, picture_of(match.candidate->by));
+  std::sort(matches.begin(), matches.end(), nearer);
+}
+
+Image StageComparison::picture_of(const MistakenBy& by) const {
+  return through_scaling(sized_.picture(stage_, by), fitted_);
+}
+
+bool StageComparison::shows(const MistakenBy& by) const {
+  return zraka::shows(taken_, picture_of(by), fitted_.region);
+}
+
+Likeness StageComparison::likeness_of_change(const Image& from, const Image& to) const {
+  const Image first = smoothed(from, close_.blur), second = smoothed(to, close_.blur);
+  double changed = 0, left = 0, both = 0;
+  const Region& r = fitted_.region;
+  for (std::uint32_t y = r.top; y < r.bottom; ++y) {
+    const float *t = smooth_.row(y), *a = first.row(y), *b = second.row(y);
+    float dd = 0, ee = 0, de = 0;
+    for (std::size_t i = std::size_t{3} * r.left; i < std::size_t{3} * r.right; ++i) {
+      const float d = b[i] - a[i], e = t[i] - a[i];
+      dd += d * d;
+      ee += e * e;
+      de += d * e;
+    }
+    changed += static_cast<double>(dd);
+    left += static_cast<double>(ee);
+    both += static_cast<double>(de);
+  }
+  if (changed <= 0 || left <= 0) return {};
+  return {both / changed, both * both / (changed * left)};
+}
+
+std::vector<double> StageComparison::products_with(const std::vector<Candidate>& candidates) const {
+  const Image& right = pictures_.coarse(stage_);
+  const Image small = few(right.width, right.height);
+  const Region r = region_of_few(right.width, right.height);
+  std::vector<double> products;
+  for (const Candidate& candidate : candidates) {
+    double sum = 0;
+    for (std::uint32_t y = r.top; y < r.bottom; ++y) {
+      const float *t = small.row(y), *a = right.row(y), *b = candidate.coarse.row(y);
+      float part = 0;
+      for (std::size_t i = std::size_t{3} * r.left; i < std::size_t{3} * r.right; ++i)
+        part += (t[i] - a[i]) * (b[i] - a[i]);
+      sum += static_cast<double>(part);
+    }
+    products.push_back(sum);
+  }
+  return products;
+}
+
+std::vector<Mistake> StageComparison::likely_besides(const MistakenBy& by, const Image& picture,
+                                                std::size_t most) const {
+  const Image& right = pictures_.coarse(stage_);
+  const Image small = few(right.width, right.height),
+              explained = sampled(picture, right.width, right.height);
+  const Region r = region_of_few(right.width, right.height);
+  std::vector<std::pair<double, Mistake>> all;
+  for (const Candidate& candidate : pictures_.mistaken(stage_)) {
+    const Mistake mistake = candidate.by.first;
+    // Where a picture lies was searched for.
+    if (entry_of(mistake).first_stage == 1 || mistake == by.first || mistake == by.second) continue;
+    double changed = 0, left = 0, both = 0;
+    for (std::uint32_t y = r.top; y < r.bottom; ++y) {
+      const float *t = small.row(y), *x = explained.row(y), *a = right.row(y),
+                  *b = candidate.coarse.row(y);
+      float dd = 0, ee = 0, de = 0;
+      for (std::size_t i = std::size_t{3} * r.left; i < std::size_t{3} * r.right; ++i) {
+        const float d = b[i] - a[i], e = t[i] - x[i];
+        dd += d * d;
+        ee += e * e;
+        de += d * e;
+      }
+      changed += static_cast<double>(dd);
+      left += static_cast<double>(ee);
+      both += static_cast<double>(de);
+    }
+    if (changed > 0 && left > 0 && both > 0.3 * changed)
+      all.emplace_back(both * both / (changed * left), mistake);
+  }
+  std::sort(all.rbegin(), all.rend());
+  std::vector<Mistake> mistakes;
+  for (std::size_t i = 0; i < std::min(most, all.size()); ++i) mistakes.push_back(all[i].second);
+  return mistakes;
+}
+
+}  // namespace zraka

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// A submission beside the pictures of a stage: how near it is to the right one and to those of
+// mistakes.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "school/grade/align.hpp"
+#include "school/grade/stage_pictures.hpp"
+
+namespace zraka {
+
+struct Match {
+  const Candidate* candidate = nullptr;  ///< nullptr: the right picture
+  std::size_t way = 0;
+  double distance = std::numeric_limits<double>::infinity();  ///< mean square
+  Rest rest{};
+};
+
+/// How much of what a picture leaves unexplained is what a change would make.
+struct Likeness {
+  double strength = 0;  ///< the change's multiple that comes nearest: 1 if it was made
+  double share = 0;     ///< of the squares that this multiple explains
+};
+
+class StageComparison {
+ public:
+  StageComparison(const StagePictures& pictures, int stage, const Fitted& fitted, bool jpeg);
+
+  const Region& region() const { return fitted_.region; }
+  const Image& wanted() const { return wanted_; }
+  const Image& taken() const { return taken_; }  ///< in the chosen way
+  const Match& right() const { return right_; }
+  const Closeness& close() const { return close_; }
+  const Fitted& fitted() const { return fitted_; }
+  std::size_t way() const { return way_; }
+  const std::vector<Alignment>& ways() const { return ways_; }
+
+  void take_way(std::size_t way);
+  /// Is it the right picture, in the chosen way?
+  bool compare_with_right();
+  /// All pictures with few pixels, in all ways.
+  std::vector<Match> nearest_by_few() const;
+  /// As it was handed in, unless another way fits much better.
+  std::size_t best_way(const std::vector<Match>& matches) const;
+  /// Keeps the best few of the chosen way, compared pixel by pixel, the nearest first.
+  void look_closely(std::vector<Match>& matches) const;
+  Match look_at(const Candidate& candidate, const Image& picture) const;
+
+  /// A picture with mistakes in the size of the submission's, as it comes out of its scaling.
+  Image picture_of(const MistakenBy& by) const;
+  bool shows(const MistakenBy& by) const;
+  /// The submission with few pixels, as those of candidates.
+  Image few(std::uint32_t width, std::uint32_t height) const;
+  Region region_of_few(std::uint32_t width, std::uint32_t height) const;
+
+  /// Products of what differs from the right picture and what each mistake changes, by few pixels.
+  std::vector<double> products_with(const std::vector<Candidate>& candidates) const;
+  /// What the step from one picture to another explains of what the first leaves.
+  Likeness likeness_of_change(const Image& from, const Image& to) const;
+  /// Mistakes whose change, by few pixels, explains most of what a picture leaves, beside those
+  /// that it has: the best first.
+  std::vector<Mistake> likely_besides(const MistakenBy& by, const Image& picture,
+                                      std::size_t most) const;
+
+ private:
+  const StagePictures& pictures_;
+  const StagePictures& sized_;  ///< in the size that it was drawn in
+  int stage_;
+  const Image& wanted_;
+  Fitted fitted_;
+  Closeness close_;
+  std::vector<Alignment> ways_;
+  std::size_t way_ = 0;
+  Image taken_, smooth_;
+  Match right_;
+};
+
+/// Rows and columns at the edges that are mostly of one colour, which the right picture has not,
+/// are a frame over it, or were transparent: they were not handed in.
+void trim_frame(Fitted& fitted, const Image& wanted);
+
+}  // namespace zraka

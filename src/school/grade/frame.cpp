@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "school/grade/comparison.hpp"
+
+namespace zraka {
+
+void trim_frame(Fitted& fitted, const Image& wanted) {
+  Region& r = fitted.region;
+  const std::uint32_t most_clear = std::max(3U, wanted.width / 50);
+  const auto foreign = [&](std::uint32_t trimmed, std::uint32_t x0, std::uint32_t x1,
+                           std::uint32_t y0, std::uint32_t y1) {
+    std::array<std::vector<float>, 3> channels;
+    for (std::uint32_t y = y0; y < y1; ++y)
+      for (std::uint32_t x = x0; x < x1; ++x)
+        for (std::size_t c = 0; c < 3; ++c)
+          channels[c].push_back(fitted.image.row(y)[std::size_t{3} * x + c]);
+    std::array<float, 3> middle{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::vector<float> sorted = channels[c];
+      const auto half = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+      std::nth_element(sorted.begin(), half, sorted.end());
+      middle[c] = *half;
+    }
+    std::size_t count = 0, same = 0, others = 0, i = 0;
+    for (std::uint32_t y = y0; y < y1; ++y)
+      for (std::uint32_t x = x0; x < x1; ++x, ++i) {
+        bool plain = true, other = false;
+        for (std::size_t c = 0; c < 3; ++c) {
+          plain = plain && std::fabs(channels[c][i] - middle[c]) < 0.05F;
+          other = other ||
+                  std::fabs(channels[c][i] - wanted.row(y)[std::size_t{3} * x + c]) > 0.06F;
+        }
+        count += plain && other;
+        same += plain;
+        others += other;
+      }
+    // A line that is all of one colour may be a part of the background, if there are many.
+    return count * 10 > i * 6 || (same * 100 >= 97 * i && others > 0 && trimmed < most_clear);
+  };
+  const Region whole = r;
+  const std::uint32_t across = (r.right - r.left) / 7, down = (r.bottom - r.top) / 7;
+  while (r.top < whole.top + down &&
+         foreign(r.top - whole.top, r.left, r.right, r.top, r.top + 1))
+    ++r.top;
+  while (r.bottom > whole.bottom - down &&
+         foreign(whole.bottom - r.bottom, r.left, r.right, r.bottom - 1, r.bottom))
+    --r.bottom;
+  while (r.left < whole.left + across &&
+         foreign(r.left - whole.left, r.left, r.left + 1, r.top, r.bottom))
+    ++r.left;
+  while (r.right > whole.right - across &&
+         foreign(whole.right - r.right, r.right - 1, r.right, r.top, r.bottom))
+    --r.right;
+  // What was scaled has mixed the next one with it.
+  if (fitted.exact) return;
+  r.left += r.left > whole.left;
+  r.top += r.top > whole.top;
+  r.right -= r.right < whole.right;
+  r.bottom -= r.bottom < whole.bottom;
+}
+
+}  // namespace zraka
