@@ -90,16 +90,6 @@ std::vector<Fitted> fit(const Image& submitted, const Template& searched, std::u
   return all;
 }
 
-Fitted as_it_is(const Image& submitted) {
-  Fitted fitted;
-  fitted.image = submitted;
-  fitted.region = {0, 0, submitted.width, submitted.height};
-  fitted.width = submitted.width;
-  fitted.height = submitted.height;
-  fitted.likeness = 1;
-  return fitted;
-}
-
 std::vector<Alignment> ways_to_align() {
   std::vector<Alignment> ways;
   for (const bool swapped : {false, true})
@@ -127,12 +117,16 @@ double mean_square(const Image& a, const Image& b, const Region& region) {
   double sum = 0;
   for (std::uint32_t y = region.top; y < region.bottom; ++y) {
     const float *p = a.row(y), *q = b.row(y);
-    float row = 0;
-    for (std::size_t i = std::size_t{3} * region.left; i < std::size_t{3} * region.right; ++i) {
-      const float d = p[i] - q[i];
-      row += d * d;
-    }
-    sum += static_cast<double>(row);
+    std::array<float, 4> row{};
+    std::size_t i = std::size_t{3} * region.left;
+    const std::size_t end = std::size_t{3} * region.right;
+    for (; i + 4 <= end; i += 4)
+      for (std::size_t k = 0; k < 4; ++k) {
+        const float d = p[i + k] - q[i + k];
+        row[k] += d * d;
+      }
+    for (; i < end; ++i) row[0] += (p[i] - q[i]) * (p[i] - q[i]);
+    sum += static_cast<double>((row[0] + row[1]) + (row[2] + row[3]));
   }
   const double values =
       3.0 * (region.right - region.left) * static_cast<double>(region.bottom - region.top);

@@ -44,9 +44,6 @@ Image turned_by(const Image& submitted, const Turn& turn);
 Fitted fitted_at(const Position& position, Image painted, bool unpainted, std::uint32_t width,
                  std::uint32_t height);
 
-/// A submission that has the right picture's size and needs no search.
-Fitted as_it_is(const Image& submitted);
-
 /// What may have become of a right picture's colours: red and blue exchanged or not, each with
 /// every curve. The first is as it was handed in.
 std::vector<Alignment> ways_to_align();

@@ -87,6 +87,24 @@ double on_their_sides(const Outline& outline, const Image& picture, std::int64_t
 
 }  // namespace
 
+std::vector<Fitted> drawn_as_whole(const Image& submitted, bool jpeg, const SizedPictures& sizes) {
+  std::vector<Fitted> all;
+  for (const Turn& turn : kTurns) {
+    const std::uint32_t width = turn.transposed ? submitted.height : submitted.width,
+                        height = turn.transposed ? submitted.width : submitted.height;
+    const StagePictures* pictures = sizes.of(width, height);
+    if (pictures == nullptr) continue;
+    const bool own = sizes.is_own(*pictures);
+    const bool as_it_is = own && !turn.flipped_first && !turn.transposed && !turn.flipped;
+    if (!as_it_is && on_their_sides(outline_of(pictures->right(1)), turned_by(submitted, turn), 0,
+                                    0, pictures->background()) < (jpeg ? kOfJpeg : kOfAll))
+      continue;
+    all.push_back(fitted_at({turn, {}, 1}, submitted, false, width, height));
+    if (!own) all.back().pictures = pictures;
+  }
+  return all;
+}
+
 void add_drawn_sizes(const Image& submitted, bool jpeg, const SizedPictures& sizes,
                      std::vector<Fitted>& fitted) {
   std::vector<Fitted> all;

@@ -28,12 +28,18 @@ class SizedPictures {
   /// larger than what is kept, or where there are too many already.
   const StagePictures* of(std::uint32_t width, std::uint32_t height) const;
 
+  bool is_own(const StagePictures& pictures) const { return &pictures == &own_; }
+
  private:
   const StagePictures& own_;
   mutable std::mutex mutex_;
   mutable std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<StagePictures>> others_;
   mutable std::uint64_t pixels_ = 0;  ///< of all sizes
 };
+
+/// A submission as a whole, turned or not, in the size that a program may have drawn it in: as it is
+/// where that is the scene's own, else where it keeps to the scene's outlines.
+std::vector<Fitted> drawn_as_whole(const Image& submitted, bool jpeg, const SizedPictures& sizes);
 
 /// Puts before each scaled fit of a submission the one in the size that a program may have drawn it
 /// in, which leaves its pixels as they are.

@@ -31,20 +31,7 @@ struct Grader::Impl {
     const Image& right = pictures->right(7);
     return {right.width, right.height, pictures->options_of(7).profile.transfer};
   }
-  Registered registered(const ReadImage& read) const {
-    const Image& right = pictures->right(7);
-    // Most pictures of a class are right, pixel by pixel.
-    if (read.image.width == right.width && read.image.height == right.height)
-      for (int stage = 1; stage <= 7; ++stage)
-        if (measure_errors(read.image, pictures->right(stage),
-                           (pictures->rubric().tolerance + 0.5) / 255)
-                .share() <= pictures->rubric().share)
-          return {{as_it_is(read.image)}, read.format == "JPEG", &read.image};
-    std::vector<Fitted> fitted = fit(read.image, pictures->outlines(), right.width, right.height);
-    const bool jpeg = read.format == "JPEG";
-    add_drawn_sizes(read.image, jpeg, sizes, fitted);
-    return {std::move(fitted), jpeg, &read.image};
-  }
+  Registered registered(const ReadImage& read) const { return {read, *pictures, sizes}; }
   StageGrade judge_one(int stage, const std::string& file, const Result<ReadImage>& submitted,
                        const std::set<Mistake>& known = {}) const;
   int stage_of(const SubmittedPicture& picture, const Registered& found) const;

@@ -97,6 +97,7 @@ std::vector<Match> Judge::hidden_besides(const MistakenBy& by, const Image& pict
     const MistakenBy both = by == MistakenBy{} ? MistakenBy(mistake) : MistakenBy(by.first, mistake);
     const Image changed = compared_.picture_of(both);
     const Likeness likeness = compared_.likeness_of_change(picture, changed);
+    if (getenv("ZDBG")) fprintf(stderr, "HIDDEN by %d mistake %s share %.3f strength %.3f\n", (int)by.first, std::string(entry_of(mistake).key).c_str(), likeness.share, likeness.strength);
     if (likeness.share < kHiddenShare || likeness.strength < kWeakest ||
         likeness.strength > kStrongest)
       continue;
@@ -292,11 +293,15 @@ StageGrade Judge::verdict(const std::set<Mistake>* known) {
   return finish(grade);
 }
 
+bool is_turn(Mistake mistake) {
+  return mistake == Mistake::y_down || mistake == Mistake::transposed;
+}
+
 /// A submission of the right picture's shape, turned, that is near to some mistake's picture as a
 /// whole: one of another view has no outlines that tell, nor has one that is full of noise.
 std::optional<StageGrade> judge_as_whole(const StagePictures& pictures, int stage,
                                          const Registered& submitted) {
-  const Image &image = *submitted.handed_in, &right = pictures.right(stage);
+  const Image &image = submitted.handed_in(), &right = pictures.right(stage);
   const Image& coarse = pictures.coarse(stage);
   for (const Turn& turn : kTurns) {
     const double width = turn.transposed ? image.height : image.width,
@@ -314,41 +319,67 @@ std::optional<StageGrade> judge_as_whole(const StagePictures& pictures, int stag
           return mean_square(few, candidate.coarse, all) < near;
         }))
       continue;
-    StageGrade grade = Judge(pictures, stage, fitted, submitted.jpeg).verdict(nullptr);
-    if (grade.verdict == Verdict::mistaken) return grade;
+    StageGrade grade = Judge(pictures, stage, fitted, submitted.jpeg()).verdict(nullptr);
+    if (grade.verdict == Verdict::mistaken &&
+        std::none_of(grade.mistakes.begin(), grade.mistakes.end(), is_turn))
+      return grade;
   }
   return std::nullopt;
 }
 
-/// Does it lie in the submission as a whole?
-bool is_whole(const Fitted& fitted) {
-  return !fitted.alignment.cut;
+bool is_settled(const StageGrade& grade) {
+  return grade.verdict == Verdict::right || grade.verdict == Verdict::mistaken;
 }
 
 }  // namespace
 
+const std::vector<Fitted>& Registered::plain() const {
+  if (!looked_) plain_ = drawn_as_whole(handed_in(), jpeg(), sizes_);
+  looked_ = true;
+  return plain_;
+}
+
+const std::vector<Fitted>& Registered::fitted() const {
+  if (!fitted_.empty()) return fitted_;
+  const Image& right = pictures_.right(7);
+  fitted_ = fit(handed_in(), pictures_.outlines(), right.width, right.height);
+  add_drawn_sizes(handed_in(), jpeg(), sizes_, fitted_);
+  return fitted_;
+}
+
 StageGrade judge(const StagePictures& pictures, int stage, const Registered& submitted,
                  const std::set<Mistake>& known) {
-  const bool whole = is_whole(submitted.fitted.front());
+  // What turning undoes is no mistake, if that leaves nothing.
+  std::optional<StageGrade> unturned;
+  for (const Fitted& fitted : submitted.plain()) {
+    StageGrade grade = Judge(pictures, stage, fitted, submitted.jpeg()).verdict(&known);
+    if (!is_settled(grade)) continue;
+    if (std::none_of(grade.mistakes.begin(), grade.mistakes.end(), is_turn)) return grade;
+    if (!unturned) unturned = std::move(grade);
+  }
+  if (unturned) return *unturned;
+  const bool whole =
+      std::none_of(submitted.fitted().begin(), submitted.fitted().end(),
+                   [](const Fitted& fitted) { return fitted.alignment.cut; });
   if (!whole)
     if (std::optional<StageGrade> grade = judge_as_whole(pictures, stage, submitted)) return *grade;
   const Fitted* best = nullptr;
-  for (const Fitted& fitted : submitted.fitted) {
+  for (const Fitted& fitted : submitted.fitted()) {
     // A second mistake is easily lost in what an inexact fit allows.
     StageGrade grade =
-        Judge(pictures, stage, fitted, submitted.jpeg).verdict(fitted.exact ? &known : nullptr);
-    if (grade.verdict == Verdict::right || grade.verdict == Verdict::mistaken) return grade;
+        Judge(pictures, stage, fitted, submitted.jpeg()).verdict(fitted.exact ? &known : nullptr);
+    if (is_settled(grade)) return grade;
     // A picture that may lie anywhere is rather where its outlines say.
     if (best == nullptr || fitted.likeness > std::max(best->likeness, kLike)) best = &fitted;
   }
   if (whole)
     if (std::optional<StageGrade> grade = judge_as_whole(pictures, stage, submitted)) return *grade;
-  StageGrade grade = Judge(pictures, stage, *best, submitted.jpeg).verdict(&known);
+  StageGrade grade = Judge(pictures, stage, *best, submitted.jpeg()).verdict(&known);
   if (stage == 1 || grade.verdict != Verdict::unknown || best->likeness >= kSeen) return grade;
   // A mirrored picture in a window. One of another view may be the right one, scaled.
-  for (const Fitted& fitted : fit(*submitted.handed_in, pictures.mirrored_outlines(),
+  for (const Fitted& fitted : fit(submitted.handed_in(), pictures.mirrored_outlines(),
                                   pictures.right(7).width, pictures.right(7).height)) {
-    StageGrade mirrored = Judge(pictures, stage, fitted, submitted.jpeg).verdict(nullptr);
+    StageGrade mirrored = Judge(pictures, stage, fitted, submitted.jpeg()).verdict(nullptr);
     if (mirrored.verdict == Verdict::mistaken && mirrored.alignment.visible > 0.9 &&
         mirrored.mistakes.front() == Mistake::x_mirrored)
       return mirrored;
@@ -357,20 +388,24 @@ StageGrade judge(const StagePictures& pictures, int stage, const Registered& sub
 }
 
 int right_stage(const StagePictures& pictures, const Registered& submitted, int named) {
-  const auto is_right = [&](int stage) {
-    return std::any_of(submitted.fitted.begin(), submitted.fitted.end(), [&](const Fitted& fitted) {
+  const auto is_right = [&](int stage, const std::vector<Fitted>& all) {
+    return std::any_of(all.begin(), all.end(), [&](const Fitted& fitted) {
       if (stage == 1 && !is_flat(fitted.image, fitted.region)) return false;
-      return Judge(pictures, stage, fitted, submitted.jpeg).is_right();
+      return Judge(pictures, stage, fitted, submitted.jpeg()).is_right();
     });
   };
-  if (named != 0 && is_right(named)) return named;
-  for (int stage = 7; stage >= 1; --stage)
-    if (stage != named && is_right(stage)) return stage;
-  return 0;
+  const auto right_one = [&](const std::vector<Fitted>& all) {
+    if (named != 0 && is_right(named, all)) return named;
+    for (int stage = 7; stage >= 1; --stage)
+      if (stage != named && is_right(stage, all)) return stage;
+    return 0;
+  };
+  if (const int stage = right_one(submitted.plain()); stage != 0) return stage;
+  return right_one(submitted.fitted());
 }
 
 int nearest_stage(const StagePictures& pictures, const Registered& submitted) {
-  const Fitted& fitted = submitted.fitted.back();
+  const Fitted& fitted = submitted.fitted().back();
   int nearest = 7;
   double least = std::numeric_limits<double>::infinity();
   // Any picture of the scene has its silhouette.

@@ -3,15 +3,29 @@
 #pragma once
 
 #include "school/grade/align.hpp"
+#include "school/grade/drawn_size.hpp"
 #include "school/grade/stage_pictures.hpp"
 
 namespace zraka {
 
-/// A picture of a submission, once it is known where the right one lies in it.
-struct Registered {
-  std::vector<Fitted> fitted;  ///< where it may be, the plainest first
-  bool jpeg = false;
-  const Image* handed_in = nullptr;
+/// A picture of a submission, and where the right one lies in it.
+class Registered {
+ public:
+  Registered(const ReadImage& read, const StagePictures& pictures, const SizedPictures& sizes)
+      : read_(read), pictures_(pictures), sizes_(sizes) {}
+  const Image& handed_in() const { return read_.image; }
+  bool jpeg() const { return read_.format == "JPEG"; }
+  /// As a whole, pixel by pixel: where it shows what the scene does there. Fast to find.
+  const std::vector<Fitted>& plain() const;
+  /// Wherever outlines say that it may be, the plainest first.
+  const std::vector<Fitted>& fitted() const;
+
+ private:
+  const ReadImage& read_;
+  const StagePictures& pictures_;
+  const SizedPictures& sizes_;
+  mutable std::vector<Fitted> plain_, fitted_;
+  mutable bool looked_ = false;
 };
 
 /// Judges it as one of the stage. `known` are the mistakes that earlier stages have shown.
