@@ -127,7 +127,7 @@ void add_grade(Command& program) {
       "grade", "mark pictures of the lab's stages, and name the cause of what is wrong");
   arguments->add_to(app, Needs::perhaps);
   app.add("SUBMISSION", &arguments->submission,
-          "a picture, or a folder, a zip archive or a .docx of pictures, best called 1 to 7 or by "
+          "a picture, or a folder, a zip archive, a .docx or a .pdf of pictures, best called 1 to 7 or by "
           "their stage");
   app.add("--all", &arguments->all, "SUBMISSION is a class's folder: mark all that is in it");
   app.add("--list", &arguments->list, "print the mistakes that can be named, and do nothing else");

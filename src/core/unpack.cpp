@@ -6,6 +6,7 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 namespace zraka {
@@ -96,6 +97,23 @@ Result<std::string> inflated(std::string_view bytes, std::uint64_t size, const s
   Result<std::string> all = inflate_all(bytes, kRawWindow, size, name);
   if (all && all->size() != size) return damaged(name, "deflate");
   return all;
+}
+
+std::uint64_t inflated_size(std::string_view bytes, std::uint64_t most) {
+  z_stream stream{};
+  if (::inflateInit(&stream) != Z_OK) return 0;
+  std::array<unsigned char, 1 << 16> part{};
+  stream.next_in = reinterpret_cast<unsigned char*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<unsigned>(bytes.size());
+  std::uint64_t size = 0;
+  for (int code = Z_OK; code == Z_OK && size <= most;) {
+    stream.next_out = part.data();
+    stream.avail_out = part.size();
+    code = ::inflate(&stream, Z_NO_FLUSH);
+    size += part.size() - stream.avail_out;
+  }
+  ::inflateEnd(&stream);
+  return size;
 }
 
 }  // namespace zraka

@@ -19,4 +19,8 @@ Result<std::string> unpacked(std::string_view bytes, const std::string& name);
 /// What a stream of deflate without header holds, exactly `size` bytes.
 Result<std::string> inflated(std::string_view bytes, std::uint64_t size, const std::string& name);
 
+/// How much the zlib stream that bytes begin with becomes, counted no farther than about `most`; what
+/// is damaged counts up to there.
+std::uint64_t inflated_size(std::string_view bytes, std::uint64_t most);
+
 }  // namespace zraka

@@ -178,12 +178,13 @@ bool is_flat(const Image& image, const Region& region) {
 
 Closeness closeness_of(const Fitted& fitted, bool jpeg, const Rubric& rubric) {
   const auto own = static_cast<float>((rubric.tolerance + 0.5) / 255);
-  if (fitted.exact && !jpeg) return {0, 0, own, rubric.share, 1};
-  const double share = std::max(rubric.share, 0.01);
+  if (fitted.exact && !jpeg) return {0, false, own, rubric.share, 1};
+  // A second look tells what a JPEG's noise hides (comparison.hpp).
+  const double share = std::max(rubric.share, jpeg ? 0.03 : 0.01);
   // Lines that were filled are lighter or darker at every outline.
   const double biased = fitted.alignment.unpainted ? 1 : 0.05;
-  if (fitted.exact) return {1, 1, own + 3.5F / 255, share, biased};
-  return {1, 1, own + (jpeg ? 4.5F : 2.0F) / 255, share, biased};
+  if (fitted.exact) return {1, true, own + 3.5F / 255, share, biased, jpeg};
+  return {1, true, own + (jpeg ? 4.5F : 2.0F) / 255, share, biased, jpeg};
 }
 
 Image smoothed(const Image& image, unsigned times) {
@@ -208,79 +209,121 @@ Image smoothed(const Image& image, unsigned times) {
 
 namespace {
 
-/// The share of blocks whose means differ, by more than what an edge in them excuses; all where one
-/// differs by much, as where a highlight is missing.
-double biased_blocks(const Image& picture, const Image& soft, const Image& least,
-                     const Image& most, const Region& region) {
-  constexpr std::uint32_t kBlock = 8;
-  constexpr double kBias = 3.0 / 255, kOfRange = 0.15, kMuch = 9.0 / 255, kMuchOfRange = 0.3;
-  int all = 0, biased = 0;
-  for (std::uint32_t y0 = region.top; y0 + kBlock <= region.bottom; y0 += kBlock)
-    for (std::uint32_t x0 = region.left; x0 + kBlock <= region.right; x0 += kBlock) {
-      std::array<double, 3> difference{}, range{};
-      for (std::uint32_t y = y0; y < y0 + kBlock; ++y)
-        for (std::uint32_t x = x0; x < x0 + kBlock; ++x)
-          for (std::size_t c = 0; c < 3; ++c) {
-            const std::size_t i = std::size_t{3} * x + c;
-            difference[c] += static_cast<double>(picture.row(y)[i] - soft.row(y)[i]);
-            range[c] += static_cast<double>(most.row(y)[i] - least.row(y)[i]);
-          }
-      bool far = false;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double by = std::fabs(difference[c]);
-        far = far || by > kBias * kBlock * kBlock + kOfRange * range[c];
-        if (by > kMuch * kBlock * kBlock + kMuchOfRange * range[c]) return 1;
+/// Blocks whose means differ, by more than what an edge in them excuses.
+class Blocks {
+ public:
+  Blocks(const Region& region, bool grey)
+      : region_(region), grey_(grey), sums_((region.right - region.left) / kBlock) {}
+  void add(std::uint32_t y, const float* picture, const float* soft, const float* least,
+           const float* most) {
+    for (std::size_t b = 0; b < sums_.size(); ++b)
+      for (std::size_t i = 0; i < std::size_t{3} * kBlock; ++i) {
+        const std::size_t at = std::size_t{3} * (region_.left + b * kBlock) + i;
+        sums_[b][i % 3] += picture[at] - soft[at];
+        sums_[b][3 + i % 3] += most[at] - least[at];
       }
-      ++all;
-      biased += far;
+    if ((y - region_.top) % kBlock == kBlock - 1) finish();
+  }
+  /// All where one differs by much, as where a highlight is missing.
+  double share() const {
+    if (much_) return 1;
+    return all_ > 0 ? static_cast<double>(biased_) / all_ : 0;
+  }
+
+ private:
+  static constexpr std::uint32_t kBlock = 8;
+  void finish() {
+    constexpr float kBias = 3.0F / 255, kOfRange = 0.15F, kMuch = 9.0F / 255, kMuchOfRange = 0.3F;
+    constexpr float kPixels = kBlock * kBlock;
+    for (auto& sum : sums_) {
+      bool far = false;
+      if (grey_) {
+        const float by = (sum[0] + sum[1] + sum[2]) / 3, range = (sum[3] + sum[4] + sum[5]) / 3;
+        sum = {by, by, by, range, range, range};
+      }
+      for (std::size_t c = 0; c < 3; ++c) {
+        const float by = std::fabs(sum[c]), range = sum[3 + c];
+        far = far || by > kBias * kPixels + kOfRange * range;
+        much_ = much_ || by > kMuch * kPixels + kMuchOfRange * range;
+      }
+      ++all_;
+      biased_ += far;
+      sum = {};
     }
-  return all > 0 ? static_cast<double>(biased) / all : 0;
-}
+  }
+
+  Region region_;
+  bool grey_;
+  std::vector<std::array<float, 6>> sums_;  ///< differences, then ranges
+  int all_ = 0, biased_ = 0;
+  bool much_ = false;
+};
+
+/// Least and most of a picture's values up to a pixel from each of a row.
+class Surroundings {
+ public:
+  explicit Surroundings(const Image& image)
+      : image_(image), low_(std::size_t{3} * image.width), high_(low_), least(low_), most(low_) {}
+  void look_at(std::uint32_t y) {
+    const float *above = image_.row(y > 0 ? y - 1 : 0), *here = image_.row(y),
+                *below = image_.row(std::min(y + 1, image_.height - 1));
+    const std::size_t row = low_.size();
+    for (std::size_t x = 0; x < row; ++x) {
+      low_[x] = std::min(std::min(above[x], here[x]), below[x]);
+      high_[x] = std::max(std::max(above[x], here[x]), below[x]);
+    }
+    for (std::size_t x = 0; x < 3 && x < row; ++x) {
+      const std::size_t next = std::min(x + 3, row - 3 + x), last = row - 3 + x;
+      least[x] = std::min(low_[x], low_[next]), most[x] = std::max(high_[x], high_[next]);
+      least[last] = std::min(low_[last], low_[last >= 3 ? last - 3 : last]);
+      most[last] = std::max(high_[last], high_[last >= 3 ? last - 3 : last]);
+    }
+    for (std::size_t x = 3; x + 3 < row; ++x) {
+      least[x] = std::min(std::min(low_[x - 3], low_[x]), low_[x + 3]);
+      most[x] = std::max(std::max(high_[x - 3], high_[x]), high_[x + 3]);
+    }
+  }
+
+ private:
+  const Image& image_;
+  std::vector<float> low_, high_;
+
+ public:
+  std::vector<float> least, most;
+};
 
 }  // namespace
 
 Rest rest_of(const Image& picture, const Image& other, const Region& region,
              const Closeness& close) {
-  const Image soft = smoothed(other, close.blur);
-  const std::size_t row = std::size_t{3} * other.width;
-  Image least = soft, most = soft;
-  for (unsigned i = 0; i < close.reach; ++i) {
-    const Image low = least, high = most;
-    for (std::uint32_t y = 0; y < other.height; ++y) {
-      const std::uint32_t above = y > 0 ? y - 1 : 0, below = std::min(y + 1, other.height - 1);
-      for (const std::uint32_t v : {above, y, below}) {
-        const float *l = low.row(v), *h = high.row(v);
-        float *to_l = least.row(y), *to_h = most.row(y);
-        for (std::size_t x = 0; x < row; ++x) {
-          const std::size_t before = x >= 3 ? x - 3 : x, after = x + 3 < row ? x + 3 : x;
-          to_l[x] = std::min({to_l[x], l[before], l[x], l[after]});
-          to_h[x] = std::max({to_h[x], h[before], h[x], h[after]});
-        }
-      }
-    }
-  }
-  Rest rest;
+  const Image smooth = close.blur > 0 ? smoothed(other, close.blur) : Image();
+  const Image& soft = close.blur > 0 ? smooth : other;
+  Surroundings around(soft);
+  Blocks blocks(region, close.grey);
   double beyond = 0, energy = 0;
   for (std::uint32_t y = region.top; y < region.bottom; ++y) {
-    const float *p = picture.row(y), *l = least.row(y), *h = most.row(y);
+    const float *p = picture.row(y), *l = soft.row(y), *h = l;
+    if (close.reach) {
+      around.look_at(y);
+      l = around.least.data();
+      h = around.most.data();
+    }
+    if (close.blur > 0) blocks.add(y, p, soft.row(y), l, h);
     float of_row = 0;
     for (std::uint32_t x = region.left; x < region.right; ++x) {
-      bool far = false;
+      float far = 0;
       for (std::size_t i = std::size_t{3} * x; i < std::size_t{3} * x + 3; ++i) {
         const float outside =
-            std::max({0.0F, l[i] - close.tolerance - p[i], p[i] - h[i] - close.tolerance});
-        far = far || outside > 0;
+            std::max(0.0F, std::max(l[i] - p[i], p[i] - h[i]) - close.tolerance);
+        far = std::max(far, outside);
         of_row += outside * outside;
       }
-      beyond += far;
+      beyond += far > 0;
     }
     energy += static_cast<double>(of_row);
   }
-  if (close.blur > 0) rest.biased = biased_blocks(picture, soft, least, most, region);
   const double pixels = std::max(1.0, region.pixels());
-  rest.share = beyond / pixels;
-  rest.energy = energy / (3 * pixels);
-  return rest;
+  return {beyond / pixels, energy / (3 * pixels), close.blur > 0 ? blocks.share() : 0};
 }
 
 Image as_silhouette(const Image& image) {

@@ -25,6 +25,7 @@ struct Fitted {
   Region region;  ///< what of it was handed in
   Alignment alignment;
   bool exact = true;    ///< pixel by pixel as it was handed in
+  bool sure = false;    ///< so much so that it lies nowhere else
   double smallest = 1;  ///< its scale: below 1, details are lost
   double likeness = 0;  ///< of outlines
   Turn turn{};
@@ -68,10 +69,11 @@ bool shows(const Image& picture, const Image& other, const Region& region);
 /// What an alteration makes of pixels that are right.
 struct Closeness {
   unsigned blur = 0;      ///< both pictures are smoothed that often by the mean of 3×3 pixels
-  unsigned reach = 0;     ///< values between those of pixels up to here apart are right
+  bool reach = false;     ///< values between those of pixels next to it are right
   float tolerance = 0;    ///< and those this far outside
   double share = 0.005;   ///< of the pixels that are farther outside
   double biased = 1;      ///< and of the blocks that are lighter or darker as a whole
+  bool grey = false;      ///< blocks may have other colours: JPEGs keep few
 };
 Closeness closeness_of(const Fitted& fitted, bool jpeg, const Rubric& rubric);
 

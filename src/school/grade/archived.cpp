@@ -7,8 +7,10 @@
 #include <memory>
 #include <new>
 
+#include "core/file.hpp"
 #include "core/phrase.hpp"
 #include "core/text.hpp"
+#include "school/grade/pdf.hpp"
 #include "school/late/archive.hpp"
 
 namespace zraka {
@@ -65,6 +67,10 @@ class Utf8Names {
 bool is_document(const std::string& file) {
   const std::string extension = lower_case(fs::path(file).extension().string());
   return extension == ".docx" || extension == ".odt";
+}
+
+bool is_pdf(const std::string& file) {
+  return lower_case(fs::path(file).extension().string()) == ".pdf";
 }
 
 /// Reads an archive, and those in it.
@@ -150,6 +156,7 @@ Result<void> ArchiveReader::take(archive* from, const std::string& name, const s
     bytes_in_all_ += bytes->size();
     if (bytes_in_all_ > kMostBytesInAll)
       return failure(path_, phrase(Word::grade_unpacks_all, kMostBytesInAll >> 20));
+    if (archived && is_pdf(name)) return take_from_pdf(*bytes, called, pictures_);
     if (archived) {
       const Handle inner = opened();
       if (archive_read_open_memory(inner.get(), bytes->data(), bytes->size()) != ARCHIVE_OK)
@@ -180,7 +187,8 @@ bool is_hidden(const fs::path& path) {
 }
 
 bool is_archive(const std::string& file) {
-  return lower_case(fs::path(file).extension().string()) == ".zip" || is_document(file);
+  return lower_case(fs::path(file).extension().string()) == ".zip" || is_document(file) ||
+         is_pdf(file);
 }
 
 tl::unexpected<Diagnostics> too_many_pictures(const std::string& path) {
@@ -189,6 +197,12 @@ tl::unexpected<Diagnostics> too_many_pictures(const std::string& path) {
 
 Result<void> take_from_archive(const std::string& path, const std::string& within,
                                std::vector<SubmittedPicture>& pictures) {
+  if (is_pdf(path)) {
+    const Result<std::string> bytes = read_file(path, kMostBytes);
+    if (!bytes) return tl::make_unexpected(bytes.error());
+    return take_from_pdf(*bytes, within.empty() ? fs::path(path).filename().string() : within,
+                         pictures);
+  }
   if (Result<void> loaded = kLibarchive.load(); !loaded) return loaded;
   const Utf8Names utf8_names;
   return ArchiveReader(path, pictures).read_file(within);

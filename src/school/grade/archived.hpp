@@ -19,7 +19,7 @@ inline constexpr std::size_t kMostEntries = 10000;
 
 /// By their names; pictures of formats that cannot be read are told so.
 bool is_picture(const std::string& file);
-/// A zip archive, or a document that is one.
+/// A zip archive, a document that is one, or a PDF.
 bool is_archive(const std::string& file);
 /// Is it of a system's or hidden from people?
 bool is_hidden(const std::filesystem::path& path);

@@ -9,6 +9,9 @@ namespace {
 
 /// So many candidates that come nearest with few pixels are compared with all.
 constexpr std::size_t kShortList = 12;
+/// Of these the nearest, and those that leave up to so many times as much, are looked at closely.
+constexpr std::size_t kLookedAt = 2;
+constexpr double kFar = 4;
 
 /// A region of a picture in another size of it.
 Region scaled(const Region& r, std::uint32_t width, std::uint32_t height, std::uint32_t to_width,
@@ -34,7 +37,10 @@ StageComparison::StageComparison(const StagePictures& pictures, int stage, const
       wanted_(sized_.right(stage)),
       fitted_(fitted),
       close_(closeness_of(fitted, jpeg, pictures.rubric())) {
-  if (stage == 1) fitted_.image = as_silhouette(fitted_.image);
+  if (stage == 1) {
+    fitted_.image = as_silhouette(fitted_.image);
+    close_.biased = 1;  // at outlines it is white or black
+  }
   trim_frame(fitted_, wanted_);
   ways_ = ways_to_align();
   if (stage == 1) ways_.resize(1);
@@ -100,9 +106,25 @@ void StageComparison::look_closely(std::vector<Match>& matches) const {
   std::erase_if(matches, [&](const Match& m) {
     return place++ >= kShortList && !is_small_shift(m.candidate->by.first);
   });
-  for (Match& match : matches)
-    match = look_at(*match.candidate, picture_of(match.candidate->by));
-  std::sort(matches.begin(), matches.end(), nearer);
+  std::vector<Image> pictures;
+  for (Match& match : matches) {
+    pictures.push_back(picture_of(match.candidate->by));
+    match.distance = mean_square(taken_, pictures.back(), fitted_.region);
+  }
+  std::vector<std::size_t> order(matches.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return nearer(matches[a], matches[b]); });
+  std::vector<Match> sorted;
+  for (const std::size_t i : order) {
+    sorted.push_back(matches[i]);
+    // What is far cannot be the cause.
+    if (sorted.size() <= kLookedAt || sorted.back().distance <= kFar * sorted.front().distance)
+      sorted.back() = look_at(*matches[i].candidate, pictures[i]);
+    else
+      sorted.back().rest = {1, 1, 1};
+  }
+  matches = std::move(sorted);
 }
 
 Image StageComparison::picture_of(const MistakenBy& by) const {
@@ -179,7 +201,7 @@ std::vector<Mistake> StageComparison::likely_besides(const MistakenBy& by, const
       left += static_cast<double>(ee);
       both += static_cast<double>(de);
     }
-    if (changed > 0 && left > 0 && both > 0.3 * changed)
+    if (changed > 0 && left > 0 && both > 0.15 * changed)
       all.emplace_back(both * both / (changed * left), mistake);
   }
   std::sort(all.rbegin(), all.rend());

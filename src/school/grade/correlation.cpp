@@ -10,6 +10,11 @@ namespace {
 /// This much of the picture has to be in the submission, in pixels and in outlines.
 constexpr double kLeast = 0.5;
 
+/// So much at a template's edges is not compared: a window's frame there would pull at them.
+std::uint32_t margin(std::uint32_t size) {
+  return (size + 59) / 60;
+}
+
 /// Sums of a correlation.
 struct Sums {
   double n = 0, t = 0, tt = 0, s = 0, ss = 0, ts = 0;
@@ -38,9 +43,13 @@ double Level::likeness(const GridPlacement& at) const {
     while (seen.first < seen.second && !inside(seen.second - 1)) --seen.second;
     return seen;
   };
-  const auto [x0, x1] = visible(at.left, at.across, width, grid.width);
-  const auto [y0, y1] = visible(at.top, at.down, height, grid.height);
-  if (x0 == x1 || y0 == y1) return -1;
+  auto [x0, x1] = visible(at.left, at.across, width, grid.width);
+  auto [y0, y1] = visible(at.top, at.down, height, grid.height);
+  x0 = std::max(x0, margin(grid.width));
+  y0 = std::max(y0, margin(grid.height));
+  x1 = std::min(x1, grid.width - margin(grid.width));
+  y1 = std::min(y1, grid.height - margin(grid.height));
+  if (x0 >= x1 || y0 >= y1) return -1;
   struct Tap {
     std::uint32_t first;
     float weight;

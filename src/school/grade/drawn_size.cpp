@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "image/alter.hpp"
 #include "school/grade/stage_pictures.hpp"
@@ -17,15 +18,21 @@ constexpr std::uint64_t kMostOfOne = std::uint64_t{1} << 20, kMostOfAll = std::u
 /// Smaller ones show too little.
 constexpr std::uint32_t kLeastSide = 48;
 /// What is no farther from the background has its colour.
-constexpr float kSameColor = 0.03F;
+constexpr float kSameColor = 0.008F, kSameInJpeg = 0.04F;
 constexpr std::size_t kLeastOutline = 40;
 /// So much of an outline's pixels are on their sides of it where a program has drawn them.
-constexpr double kOfAll = 0.85, kOfJpeg = 0.7;
+constexpr double kRepeated = 0.99;  ///< of the outlines, where pixels were repeated
+constexpr double kOfAll = 0.85, kOfJpeg = 0.7, kSure = 0.97, kSureOfJpeg = 0.9;
 
 }  // namespace
 
 SizedPictures::SizedPictures(const StagePictures& own) : own_(own) {}
 SizedPictures::~SizedPictures() = default;
+
+std::pair<std::uint32_t, std::uint32_t> SizedPictures::own_size() const {
+  const Resolution& size = own_.scene().resolution;
+  return {size.width, size.height};
+}
 
 const StagePictures* SizedPictures::of(std::uint32_t width, std::uint32_t height) const {
   const auto [own_width, own_height] = own_.scene().resolution;
@@ -43,6 +50,24 @@ const StagePictures* SizedPictures::of(std::uint32_t width, std::uint32_t height
 }
 
 namespace {
+
+/// The pixels of a picture that another size of it has: at their centres, or at their corners.
+Image repeated(const Image& image, std::uint32_t width, std::uint32_t height, bool centers) {
+  Image out(width, height);
+  const auto at = [&](std::uint32_t i, std::uint32_t of, std::uint32_t in) {
+    if (centers)
+      return static_cast<std::uint32_t>((2 * std::uint64_t{i} + 1) * in / (2 * std::uint64_t{of}));
+    // The first of those that were made of one.
+    const std::uint64_t up = of < in ? of - 1 : 0;
+    return std::min(in - 1, static_cast<std::uint32_t>((std::uint64_t{i} * in + up) / of));
+  };
+  for (std::uint32_t y = 0; y < height; ++y)
+    for (std::uint32_t x = 0; x < width; ++x)
+      std::copy_n(
+          image.row(at(y, height, image.height)) + std::size_t{3} * at(x, width, image.width), 3,
+          out.row(y) + std::size_t{3} * x);
+  return out;
+}
 
 /// The pixels on both sides of a silhouette's outline.
 struct Outline {
@@ -66,8 +91,9 @@ Outline outline_of(const Image& silhouette) {
 
 /// The share of an outline's pixels that are on their sides of it: all where a program has drawn
 /// them, few where a screen has scaled them.
-double on_their_sides(const Outline& outline, const Image& picture, std::int64_t left,
+double on_their_sides(const Outline& outline, const Image& picture, bool jpeg, std::int64_t left,
                       std::int64_t top, const std::array<float, 3>& background) {
+  const float same = jpeg ? kSameInJpeg : kSameColor;
   std::size_t right = 0, all = 0;
   const auto count = [&](const auto& pixels, bool is_background) {
     for (const auto& [x, y] : pixels) {
@@ -77,7 +103,7 @@ double on_their_sides(const Outline& outline, const Image& picture, std::int64_t
       float most = 0;
       for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::fabs(p[c] - background[c]));
       ++all;
-      right += (most < kSameColor) == is_background;
+      right += (most < same) == is_background;
     }
   };
   count(outline.inside, false);
@@ -87,19 +113,66 @@ double on_their_sides(const Outline& outline, const Image& picture, std::int64_t
 
 }  // namespace
 
+/// A picture whose pixels were repeated until it had another size, as before; none where they were
+/// not.
+std::optional<Image> unrepeated(const Image& image, std::uint32_t width, std::uint32_t height) {
+  if (image.width <= width || image.height <= height) return std::nullopt;
+  const std::size_t row = std::size_t{3} * image.width;
+  for (const bool centers : {true, false}) {
+    Image out = repeated(image, width, height, centers);
+    const Image again = repeated(out, image.width, image.height, centers);
+    // Where nothing changes, nothing tells.
+    std::size_t same = 0, all = 0;
+    for (std::uint32_t y = 1; y < image.height; ++y)
+      for (std::size_t x = 3; x < row; ++x) {
+        const float *here = image.row(y) + x, *above = image.row(y - 1) + x;
+        if (std::fabs(here[0] - here[-3]) <= kSameColor &&
+            std::fabs(here[0] - above[0]) <= kSameColor)
+          continue;
+        ++all;
+        same += std::fabs(here[0] - again.row(y)[x]) < kSameColor;
+      }
+    if (all >= kLeastOutline &&
+        static_cast<double>(same) >= kRepeated * static_cast<double>(all))
+      return out;
+  }
+  return std::nullopt;
+}
+
 std::vector<Fitted> drawn_as_whole(const Image& submitted, bool jpeg, const SizedPictures& sizes) {
   std::vector<Fitted> all;
+  Image painted = submitted;
+  const bool unpainted = fill_unpainted(painted);
+  const auto add_unrepeated = [&](const Turn& turn, std::uint32_t width, std::uint32_t height) {
+    const auto [own_width, own_height] = sizes.own_size();
+    const double across = static_cast<double>(width) / own_width,
+                 down = static_cast<double>(height) / own_height;
+    if (jpeg || unpainted || std::fabs(across / down - 1) > 0.02) return;
+    const std::optional<Image> out =
+        unrepeated(turned_by(submitted, turn), own_width, own_height);
+    if (!out) return;
+    all.push_back(fitted_at({{}, {}, 1}, *out, false, own_width, own_height));
+    all.back().sure = true;
+    Alignment& alignment = all.back().alignment;
+    alignment.transposed = turn.transposed;
+    alignment.flipped = turn.flipped != turn.flipped_first;
+    alignment.scaled = true;
+    alignment.across = across;
+    alignment.down = down;
+  };
   for (const Turn& turn : kTurns) {
     const std::uint32_t width = turn.transposed ? submitted.height : submitted.width,
                         height = turn.transposed ? submitted.width : submitted.height;
     const StagePictures* pictures = sizes.of(width, height);
+    add_unrepeated(turn, width, height);
     if (pictures == nullptr) continue;
     const bool own = sizes.is_own(*pictures);
     const bool as_it_is = own && !turn.flipped_first && !turn.transposed && !turn.flipped;
-    if (!as_it_is && on_their_sides(outline_of(pictures->right(1)), turned_by(submitted, turn), 0,
-                                    0, pictures->background()) < (jpeg ? kOfJpeg : kOfAll))
-      continue;
+    const double share = on_their_sides(outline_of(pictures->right(1)), turned_by(submitted, turn),
+                                        jpeg, 0, 0, pictures->background());
+    if (!as_it_is && share < (jpeg ? kOfJpeg : kOfAll)) continue;
     all.push_back(fitted_at({turn, {}, 1}, submitted, false, width, height));
+    all.back().sure = share >= (jpeg ? kSureOfJpeg : kSure);
     if (!own) all.back().pictures = pictures;
   }
   return all;
@@ -125,7 +198,7 @@ void add_drawn_sizes(const Image& submitted, bool jpeg, const SizedPictures& siz
       // A whole one is as large as it is.
       if (!one.alignment.cut && (w != turned.width || h != turned.height)) continue;
       const StagePictures* pictures = sizes.of(w, h);
-      if (pictures == nullptr) continue;
+      if (pictures == nullptr || sizes.is_own(*pictures)) continue;
       const Outline outline = outline_of(pictures->right(1));
       // The middle tells best where it lies.
       const auto left = std::lround(at.left + (width - w) / 2),
@@ -134,7 +207,7 @@ void add_drawn_sizes(const Image& submitted, bool jpeg, const SizedPictures& siz
       for (int y = -reach; y <= reach; ++y)
         for (int x = -reach; x <= reach; ++x) {
           const double share =
-              on_their_sides(outline, turned, left + x, top + y, pictures->background());
+              on_their_sides(outline, turned, jpeg, left + x, top + y, pictures->background());
           if (share <= most) continue;
           most = share;
           found = pictures;
@@ -150,6 +223,15 @@ void add_drawn_sizes(const Image& submitted, bool jpeg, const SizedPictures& siz
     }
     all.push_back(std::move(one));
   }
+  const auto is_sure = [&](const Fitted& one) {
+    if (!one.exact) return false;
+    const StagePictures* pictures =
+        one.pictures != nullptr ? one.pictures : sizes.of(one.image.width, one.image.height);
+    return on_their_sides(outline_of(pictures->right(1)), one.image, jpeg, 0, 0,
+                          pictures->background()) >= (jpeg ? kSureOfJpeg : kSure);
+  };
+  if (std::any_of(all.begin(), all.end(), is_sure))
+    std::erase_if(all, [](const Fitted& one) { return !one.exact; });
   fitted = std::move(all);
 }
 

@@ -28,6 +28,7 @@ class SizedPictures {
   /// larger than what is kept, or where there are too many already.
   const StagePictures* of(std::uint32_t width, std::uint32_t height) const;
 
+  std::pair<std::uint32_t, std::uint32_t> own_size() const;
   bool is_own(const StagePictures& pictures) const { return &pictures == &own_; }
 
  private:
@@ -42,7 +43,8 @@ class SizedPictures {
 std::vector<Fitted> drawn_as_whole(const Image& submitted, bool jpeg, const SizedPictures& sizes);
 
 /// Puts before each scaled fit of a submission the one in the size that a program may have drawn it
-/// in, which leaves its pixels as they are.
+/// in, which leaves its pixels as they are. Where one that does so keeps to the scene's outlines, all
+/// that do not are left out.
 void add_drawn_sizes(const Image& submitted, bool jpeg, const SizedPictures& sizes,
                      std::vector<Fitted>& fitted);
 

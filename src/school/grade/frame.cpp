@@ -40,6 +40,12 @@ void trim_frame(Fitted& fitted, const Image& wanted) {
     // A line that is all of one colour may be a part of the background, if there are many.
     return count * 10 > i * 6 || (same * 100 >= 97 * i && others > 0 && trimmed < most_clear);
   };
+  // The outermost that are scaled are mixed with what lies outside, and are looked at only.
+  const std::uint32_t mixed = fitted.exact ? 0 : 1;
+  r.left -= std::min(r.left, mixed);
+  r.top -= std::min(r.top, mixed);
+  r.right = std::min(r.right + mixed, wanted.width);
+  r.bottom = std::min(r.bottom + mixed, wanted.height);
   const Region whole = r;
   const std::uint32_t across = (r.right - r.left) / 7, down = (r.bottom - r.top) / 7;
   while (r.top < whole.top + down &&
@@ -54,12 +60,11 @@ void trim_frame(Fitted& fitted, const Image& wanted) {
   while (r.right > whole.right - across &&
          foreign(whole.right - r.right, r.right - 1, r.right, r.top, r.bottom))
     --r.right;
-  // What was scaled has mixed the next one with it.
-  if (fitted.exact) return;
-  r.left += r.left > whole.left;
-  r.top += r.top > whole.top;
-  r.right -= r.right < whole.right;
-  r.bottom -= r.bottom < whole.bottom;
+  if (r.right - r.left < 8 || r.bottom - r.top < 8) return;
+  r.left += mixed;
+  r.top += mixed;
+  r.right -= mixed;
+  r.bottom -= mixed;
 }
 
 }  // namespace zraka

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 #include <zraka/school/grade.hpp>
 
 #include "core/phrase.hpp"
@@ -32,87 +33,91 @@ struct Grader::Impl {
     return {right.width, right.height, pictures->options_of(7).profile.transfer};
   }
   Registered registered(const ReadImage& read) const { return {read, *pictures, sizes}; }
-  StageGrade judge_one(int stage, const std::string& file, const Result<ReadImage>& submitted,
+  static StageGrade unreadable(int stage, const std::string& file, const Diagnostics& problems);
+  StageGrade judge_one(const SubmittedPicture& picture, const ReadImage& image,
                        const std::set<Mistake>& known = {}) const;
-  int stage_of(const SubmittedPicture& picture, const Registered& found) const;
-  StageGrade judge_alone(const SubmittedPicture& picture, const Result<ReadImage>& image) const;
   std::vector<StageGrade> judge_all(const std::vector<SubmittedPicture>& submitted) const;
 };
 
-StageGrade Grader::Impl::judge_one(int stage, const std::string& file,
-                                   const Result<ReadImage>& submitted,
+StageGrade Grader::Impl::unreadable(int stage, const std::string& file,
+                                    const Diagnostics& problems) {
+  return {.stage = stage, .file = file, .verdict = Verdict::unreadable, .problems = problems};
+}
+
+/// A word in the name tells the stage. A number is only a hint: where the picture is right as
+/// another stage, or a mistake explains it as the one that it is nearest to, that is the one.
+StageGrade Grader::Impl::judge_one(const SubmittedPicture& picture, const ReadImage& image,
                                    const std::set<Mistake>& known) const {
-  if (!submitted)
-    return {.stage = stage,
-            .file = file,
-            .verdict = Verdict::unreadable,
-            .problems = submitted.error()};
-  StageGrade grade = judge(*pictures, stage, registered(*submitted), known);
-  grade.file = file;
+  const Registered found = registered(image);
+  const auto judged = [&](int stage) {
+    StageGrade grade = judge(*pictures, stage, found, known);
+    grade.file = picture.file;
+    return grade;
+  };
+  int stage = picture.stage;
+  if (stage == 0) stage = right_stage(*pictures, found, 0);
+  const bool shown = picture.stage == 0 && stage != 0;
+  if (stage == 0) stage = nearest_stage(*pictures, found);
+  StageGrade grade = judged(stage);
+  if (picture.stage_is_sure || shown || grade.verdict == Verdict::right) return grade;
+  if (picture.stage != 0)
+    if (const int right = right_stage(*pictures, found, 0); right != 0) return judged(right);
+  if (grade.verdict != Verdict::unknown) return grade;
+  for (const int other : {nearest_stage(*pictures, found), 7}) {
+    if (other == stage) continue;
+    StageGrade better = judged(other);
+    if (better.verdict == Verdict::mistaken) return better;
+  }
   return grade;
 }
 
-/// A word in the name tells the stage; a number does so where the picture is right in no other one.
-int Grader::Impl::stage_of(const SubmittedPicture& picture, const Registered& found) const {
-  if (picture.stage != 0 && picture.stage_is_sure) return picture.stage;
-  if (const int stage = right_stage(*pictures, found, picture.stage); stage != 0) return stage;
-  return picture.stage != 0 ? picture.stage : nearest_stage(*pictures, found);
-}
-
-/// A picture whose name says nothing is of the nearest stage; or of the last one, if that makes
-/// more of it.
-StageGrade Grader::Impl::judge_alone(const SubmittedPicture& picture,
-                                     const Result<ReadImage>& image) const {
-  const Registered found = registered(*image);
-  const auto judged = [&](int stage) { return judge(*pictures, stage, found); };
-  StageGrade nearest = judged(stage_of(picture, found));
-  if (picture.stage == 0 && nearest.verdict == Verdict::unknown && nearest.stage != 7) {
-    StageGrade last = judged(7);
-    if (last.verdict != Verdict::unknown) nearest = std::move(last);
-  }
-  nearest.file = picture.file;
-  return nearest;
-}
-
-/// Of two pictures for one stage the first that can be read counts. One whose name says nothing is
-/// of the nearest stage that no other picture is named after; one that cannot be read either is
-/// told of at a stage that has none.
+/// Of two pictures for one stage a right one counts, else the first that can be read. One whose
+/// name says nothing is of the stage that it shows; one that cannot be read either is told of at a
+/// stage that has none.
 std::vector<StageGrade> Grader::Impl::judge_all(
     const std::vector<SubmittedPicture>& submitted) const {
-  std::array<std::vector<const SubmittedPicture*>, 8> of_stage;
-  std::vector<StageGrade> unreadable;
+  std::vector<StageGrade> grades, lost;
+  for (int stage = 1; stage <= 7; ++stage) grades.push_back({.stage = stage});
+  std::vector<const SubmittedPicture*> in_order;
   for (const SubmittedPicture& picture : submitted)
-    if (picture.stage >= 1 && picture.stage <= 7 && picture.stage_is_sure)
-      of_stage[static_cast<std::size_t>(picture.stage)].push_back(&picture);
-  for (const SubmittedPicture& picture : submitted) {
-    if (picture.stage == kNoStage || (picture.stage != 0 && picture.stage_is_sure)) continue;
-    const Result<ReadImage> image = read_picture(picture, kind());
-    if (image)
-      of_stage[static_cast<std::size_t>(stage_of(picture, registered(*image)))].push_back(&picture);
-    else if (picture.stage != 0)
-      of_stage[static_cast<std::size_t>(picture.stage)].push_back(&picture);
-    else
-      unreadable.push_back(judge_one(7, picture.file, image));
-  }
-  std::vector<StageGrade> grades;
+    if (picture.stage != kNoStage) in_order.push_back(&picture);
+  // Mistakes of earlier stages are known when later ones are judged; what has no name comes last.
+  const auto rank = [](const SubmittedPicture* picture) {
+    return std::tuple(picture->stage == 0 ? 8 : picture->stage, !picture->stage_is_sure, picture);
+  };
+  std::sort(in_order.begin(), in_order.end(),
+            [&](const auto* a, const auto* b) { return rank(a) < rank(b); });
   std::set<Mistake> known;
-  for (int stage = 1; stage <= 7; ++stage) {
-    StageGrade first{.stage = stage};
-    for (const SubmittedPicture* picture : of_stage[static_cast<std::size_t>(stage)]) {
-      StageGrade grade = judge_one(stage, picture->file, read_picture(*picture, kind()), known);
-      const bool counts = grade.verdict != Verdict::unreadable;
-      if (counts || first.verdict == Verdict::missing) first = std::move(grade);
-      if (counts) break;
+  for (const SubmittedPicture* picture : in_order) {
+    const auto judged_at = [&](int stage) -> StageGrade& {
+      return grades[static_cast<std::size_t>(stage - 1)];
+    };
+    if (picture->stage != 0 && picture->stage_is_sure &&
+        judged_at(picture->stage).verdict == Verdict::right)
+      continue;
+    const Result<ReadImage> image = read_picture(*picture, kind());
+    if (!image) {
+      const int stage = picture->stage;
+      StageGrade told = unreadable(stage == 0 ? 7 : stage, picture->file, image.error());
+      if (stage != 0 && judged_at(stage).verdict == Verdict::missing)
+        judged_at(stage) = std::move(told);
+      else if (stage == 0)
+        lost.push_back(std::move(told));
+      continue;
     }
-    if (first.verdict == Verdict::mistaken && (first.both || first.mistakes.size() == 1))
-      known.insert(first.mistakes.begin(), first.mistakes.end());
-    grades.push_back(std::move(first));
+    StageGrade grade = judge_one(*picture, *image, known);
+    if (grade.verdict == Verdict::mistaken && (grade.both || grade.mistakes.size() == 1))
+      known.insert(grade.mistakes.begin(), grade.mistakes.end());
+    StageGrade& there = judged_at(grade.stage);
+    if (there.verdict == Verdict::missing || there.verdict == Verdict::unreadable ||
+        (grade.verdict == Verdict::right && there.verdict != Verdict::right))
+      there = std::move(grade);
   }
-  for (auto grade = grades.rbegin(); grade != grades.rend() && !unreadable.empty(); ++grade) {
+  for (auto grade = grades.rbegin(); grade != grades.rend() && !lost.empty(); ++grade) {
     if (grade->verdict != Verdict::missing) continue;
-    unreadable.front().stage = grade->stage;
-    *grade = std::move(unreadable.front());
-    unreadable.erase(unreadable.begin());
+    lost.front().stage = grade->stage;
+    *grade = std::move(lost.front());
+    lost.erase(lost.begin());
   }
   return grades;
 }
@@ -167,7 +172,7 @@ Grade Grader::grade(const std::string& path, Links links, int of) const {
         grade.problems = image.error();
         return grade;
       }
-      grade.stages = {impl_->judge_alone(pictures->front(), image)};
+      grade.stages = {impl_->judge_one(pictures->front(), *image)};
     } else {
       grade.stages = impl_->judge_all(*pictures);
     }

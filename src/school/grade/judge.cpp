@@ -17,18 +17,21 @@ namespace zraka {
 namespace {
 
 /// A mistake explains a picture where it leaves no more than this of the pixels that differ from
-/// the right one, and of all.
+/// the right one, and of all; of half as many where none was altered.
 constexpr double kLeftOfWrong = 0.08, kLeftOfAll = 0.03;
 /// Other mistakes are as likely up to this ratio of what is left.
 constexpr double kAsLikely = 1.3;
 /// It explains most where it leaves this much of the pixels, and of the squared differences, and
 /// every other one leaves this many times as much.
-constexpr double kMostOfPixels = 0.4, kMostOfSquares = 0.12, kNext = 2;
+constexpr double kMostOfPixels = 0.25, kMostOfSquares = 0.12, kNext = 2;
 /// A mistake may be one of two if it takes away this much of the squared differences.
 constexpr double kPartly = 0.1;
 /// What an alteration hides is there if it explains this share of what is left in squares, and is
-/// as strong as it should be.
+/// as strong as it should be. What explains less, or is weaker, is a sign of something else.
 constexpr double kHiddenShare = 0.5, kWeakest = 0.6, kStrongest = 1.5;
+constexpr double kSignShare = 0.3, kSignStrength = 0.2;
+/// So few pixels show no mistake for sure.
+constexpr double kHardly = 0.005;
 constexpr std::size_t kHiddenOnes = 3;
 /// Outlines that are less alike than this tell nothing.
 constexpr double kLike = 0.5, kSeen = 0.65;
@@ -45,16 +48,17 @@ class Judge {
 
   /// Two mistakes at once are only looked for where that is wanted.
   StageGrade verdict(const std::set<Mistake>* known);
-  bool is_right() {
+  double distance_if_right() {
     compared_.take_way(0);
-    return compared_.compare_with_right();
+    return compared_.compare_with_right() ? compared_.right().distance
+                                          : std::numeric_limits<double>::infinity();
   }
 
  private:
   bool find_right(std::vector<Match>& by_few);
   bool explains(const Match& match) const;
   std::vector<Match> as_likely(const std::vector<Match>& matches) const;
-  std::vector<Match> hidden_besides(const MistakenBy& by, const Image& picture) const;
+  std::vector<Match> hidden_besides(const MistakenBy& by, const Image& picture, bool& sign) const;
   void name_second(const Match& first, StageGrade& grade) const;
   std::vector<Match> likely_pairs(const std::vector<Match>& singles,
                                   const std::set<Mistake>& known) const;
@@ -73,9 +77,9 @@ class Judge {
 bool Judge::explains(const Match& match) const {
   const Closeness& close = compared_.close();
   const Match& right = compared_.right();
-  const double least = 0.4 * close.share;
-  return match.rest.share <= std::max(least, kLeftOfWrong * right.rest.share) &&
-         match.rest.share <= std::max(least, kLeftOfAll) && match.rest.biased <= close.biased &&
+  const double least = 0.4 * close.share, more = close.blur > 0 ? 1 : 0.5;
+  return match.rest.share <= std::max(least, more * kLeftOfWrong * right.rest.share) &&
+         match.rest.share <= std::max(least, more * kLeftOfAll) && match.rest.biased <= close.biased &&
          match.rest.energy <= 0.1 * right.rest.energy && match.distance < right.distance;
 }
 
@@ -90,14 +94,15 @@ std::vector<Match> Judge::as_likely(const std::vector<Match>& matches) const {
 }
 
 /// Mistakes whose change is most of what a picture leaves, though that may be called close: the
-/// best one, and those that cannot be told from it.
-std::vector<Match> Judge::hidden_besides(const MistakenBy& by, const Image& picture) const {
+/// best one, and those that cannot be told from it. `sign`: something differs that is like one.
+std::vector<Match> Judge::hidden_besides(const MistakenBy& by, const Image& picture,
+                                         bool& sign) const {
   std::vector<Match> hidden;
   for (const Mistake mistake : compared_.likely_besides(by, picture, kHiddenOnes)) {
     const MistakenBy both = by == MistakenBy{} ? MistakenBy(mistake) : MistakenBy(by.first, mistake);
     const Image changed = compared_.picture_of(both);
     const Likeness likeness = compared_.likeness_of_change(picture, changed);
-    if (getenv("ZDBG")) fprintf(stderr, "HIDDEN by %d mistake %s share %.3f strength %.3f\n", (int)by.first, std::string(entry_of(mistake).key).c_str(), likeness.share, likeness.strength);
+    sign = sign || (likeness.share >= kSignShare && likeness.strength >= kSignStrength);
     if (likeness.share < kHiddenShare || likeness.strength < kWeakest ||
         likeness.strength > kStrongest)
       continue;
@@ -131,7 +136,8 @@ void Judge::settle(Verdict verdict, const Rest& left, StageGrade& grade) const {
 /// The named mistake explains the picture; a second one may hide in what is called close.
 void Judge::name_second(const Match& first, StageGrade& grade) const {
   const MistakenBy by = first.candidate->by;
-  const std::vector<Match> hidden = hidden_besides(by, compared_.picture_of(by));
+  bool sign = false;
+  const std::vector<Match> hidden = hidden_besides(by, compared_.picture_of(by), sign);
   if (hidden.size() != 1) return;
   settle(Verdict::mistaken, hidden.front().rest, grade);
   grade.mistakes = {by.first, hidden.front().candidate->by.second};
@@ -203,7 +209,7 @@ bool Judge::name_two(const std::vector<Match>& singles, const std::set<Mistake>&
   const Match* best = nullptr;
   for (const Match& pair : pairs)
     if (explains(pair) && (best == nullptr || pair.distance < best->distance)) best = &pair;
-  if (best == nullptr) return false;
+  if (best == nullptr || !compared_.shows(best->candidate->by)) return false;
   // Both have to be in every pair that is as likely.
   const MistakenBy two = best->candidate->by;
   const Image& picture = pictures[static_cast<std::size_t>(best - pairs.data())];
@@ -270,15 +276,19 @@ StageGrade Judge::verdict(const std::set<Mistake>* known) {
   if (find_right(matches)) {
     settle(Verdict::right, compared_.right().rest, grade);
     if (close.blur == 0 || stage_ == 1) return finish(grade);
-    const std::vector<Match> hidden = hidden_besides({}, compared_.picture_of({}));
-    if (hidden.empty()) return finish(grade);
+    bool sign = false;
+    const std::vector<Match> hidden = hidden_besides({}, compared_.picture_of({}), sign);
+    if (hidden.empty()) {
+      if (sign) grade.verdict = Verdict::unknown;
+      return finish(grade);
+    }
     settle(Verdict::mistaken, hidden.front().rest, grade);
     for (const Match& match : hidden) grade.mistakes.push_back(match.candidate->by.first);
     return finish(grade);
   }
   // What hardly differs shows no mistake for sure.
   settle(Verdict::unknown, compared_.right().rest, grade);
-  if (compared_.right().rest.share < close.share / 2 && close.blur > 0) return finish(grade);
+  if (compared_.right().rest.share < kHardly && close.blur > 0) return finish(grade);
   compared_.look_closely(matches);
   const std::vector<Match> likely = as_likely(matches);
   if (!likely.empty() && compared_.shows(likely.front().candidate->by)) {
@@ -287,9 +297,9 @@ StageGrade Judge::verdict(const std::set<Mistake>* known) {
     if (likely.size() == 1 && known != nullptr) name_second(likely.front(), grade);
     return finish(grade);
   }
-  if (matches.empty() || !compared_.shows(matches.front().candidate->by)) return finish(grade);
+  if (matches.empty()) return finish(grade);
   if (known != nullptr && name_two(matches, *known, grade)) return finish(grade);
-  name_probable(matches, grade);
+  if (compared_.shows(matches.front().candidate->by)) name_probable(matches, grade);
   return finish(grade);
 }
 
@@ -341,6 +351,9 @@ const std::vector<Fitted>& Registered::plain() const {
 
 const std::vector<Fitted>& Registered::fitted() const {
   if (!fitted_.empty()) return fitted_;
+  for (const Fitted& fitted : plain())
+    if (fitted.sure) fitted_.push_back(fitted);
+  if (!fitted_.empty()) return fitted_;
   const Image& right = pictures_.right(7);
   fitted_ = fit(handed_in(), pictures_.outlines(), right.width, right.height);
   add_drawn_sizes(handed_in(), jpeg(), sizes_, fitted_);
@@ -364,17 +377,22 @@ StageGrade judge(const StagePictures& pictures, int stage, const Registered& sub
   if (!whole)
     if (std::optional<StageGrade> grade = judge_as_whole(pictures, stage, submitted)) return *grade;
   const Fitted* best = nullptr;
+  StageGrade of_best;
   for (const Fitted& fitted : submitted.fitted()) {
     // A second mistake is easily lost in what an inexact fit allows.
     StageGrade grade =
         Judge(pictures, stage, fitted, submitted.jpeg()).verdict(fitted.exact ? &known : nullptr);
     if (is_settled(grade)) return grade;
     // A picture that may lie anywhere is rather where its outlines say.
-    if (best == nullptr || fitted.likeness > std::max(best->likeness, kLike)) best = &fitted;
+    if (best != nullptr && fitted.likeness <= std::max(best->likeness, kLike)) continue;
+    best = &fitted;
+    of_best = std::move(grade);
   }
   if (whole)
     if (std::optional<StageGrade> grade = judge_as_whole(pictures, stage, submitted)) return *grade;
-  StageGrade grade = Judge(pictures, stage, *best, submitted.jpeg()).verdict(&known);
+  StageGrade grade = best->exact
+                         ? std::move(of_best)
+                         : Judge(pictures, stage, *best, submitted.jpeg()).verdict(&known);
   if (stage == 1 || grade.verdict != Verdict::unknown || best->likeness >= kSeen) return grade;
   // A mirrored picture in a window. One of another view may be the right one, scaled.
   for (const Fitted& fitted : fit(submitted.handed_in(), pictures.mirrored_outlines(),
@@ -388,17 +406,23 @@ StageGrade judge(const StagePictures& pictures, int stage, const Registered& sub
 }
 
 int right_stage(const StagePictures& pictures, const Registered& submitted, int named) {
-  const auto is_right = [&](int stage, const std::vector<Fitted>& all) {
-    return std::any_of(all.begin(), all.end(), [&](const Fitted& fitted) {
-      if (stage == 1 && !is_flat(fitted.image, fitted.region)) return false;
-      return Judge(pictures, stage, fitted, submitted.jpeg()).is_right();
-    });
+  // Stages may look alike: the nearest is meant.
+  const auto distance = [&](int stage, const std::vector<Fitted>& all) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Fitted& fitted : all)
+      if (stage != 1 || is_flat(fitted.image, fitted.region))
+        least = std::min(
+            least, Judge(pictures, stage, fitted, submitted.jpeg()).distance_if_right());
+    return least;
   };
   const auto right_one = [&](const std::vector<Fitted>& all) {
-    if (named != 0 && is_right(named, all)) return named;
+    if (named != 0 && std::isfinite(distance(named, all))) return named;
+    int nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
     for (int stage = 7; stage >= 1; --stage)
-      if (stage != named && is_right(stage, all)) return stage;
-    return 0;
+      if (const double d = distance(stage, all); stage != named && d < least)
+        least = d, nearest = stage;
+    return nearest;
   };
   if (const int stage = right_one(submitted.plain()); stage != 0) return stage;
   return right_one(submitted.fitted());

@@ -244,6 +244,11 @@ std::vector<Position> Template::find(const Image& submission) const {
   } else if (off(submission.width / w, submission.height / h * 1.0) < 0.07 * submission.width / w) {
     positions.push_back({{}, {0, 0, submission.width / w, submission.height / h}, 0});
   }
+  // Screens scale both axes alike.
+  const double alike = (found.across + found.down) / 2;
+  GridPlacement uniform{found.left + w / 2 * (found.across - alike),
+                        found.top + h / 2 * (found.down - alike), alike, alike};
+  if (off(alike, 1) > 0.002 && near(uniform)) add(uniform);
   positions.push_back(position);
   return positions;
 }

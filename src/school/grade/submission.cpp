@@ -147,7 +147,6 @@ void number_series(std::vector<SubmittedPicture>& pictures) {
     if (series[i].first == series[i - 1].first) return;
   for (std::size_t i = 0; i < series.size(); ++i) {
     series[i].second->stage = static_cast<int>(i) + 1;
-    series[i].second->stage_is_sure = true;
   }
 }
 
@@ -158,8 +157,7 @@ bool is_handed_in(const std::string& file) {
 }
 
 bool is_named_for_sure(const std::string& file) {
-  const std::string name = lower_stem(file);
-  return stage_of_words(name) != 0 || last_number(name) == name;
+  return stage_of_words(lower_stem(file)) != 0;
 }
 
 int stage_of_name(const std::string& file) {

@@ -20,7 +20,7 @@ struct SubmittedPicture {
   std::string path{};      ///< where it lies; "" in an archive
   std::string bytes{};     ///< the file, of one in an archive
   Diagnostics problems{};  ///< why it cannot be read, where that is known
-  bool stage_is_sure = false;  ///< a word tells it, the whole name, or the order of a series
+  bool stage_is_sure = false;  ///< a word tells it, or whoever marks; numbers are hints
   bool alone = false;      ///< it was handed in as a file of its own
   bool document = false;   ///< it is a report's, whose program has chosen its name
 };
@@ -46,7 +46,7 @@ bool is_handed_in(const std::string& file);
 /// The stage that a file's name tells, in English or Croatian: 0 where it tells none, or
 /// kNoStage.
 int stage_of_name(const std::string& file);
-/// Whether a word tells it, or a number that is the whole name.
+/// Whether a word tells it.
 bool is_named_for_sure(const std::string& file);
 
 }  // namespace zraka
