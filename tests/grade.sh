@@ -73,7 +73,7 @@ PY
 # The pictures of a report, alone and in an archive; its program has numbered them, and a thumbnail is none of them.
 "$zraka" stages $scene --width 48 -o "$folder/stages" -q || fail "stages"
 python3 - "$folder" <<'PY'
-import glob, sys, zipfile
+import glob, struct, sys, zipfile, zlib
 folder = sys.argv[1]
 pictures = sorted(glob.glob(folder + "/stages/[1-7]-*.png"))
 assert len(pictures) == 7, pictures
@@ -84,11 +84,55 @@ with zipfile.ZipFile(folder + "/report.docx", "w") as z:
         z.write(picture, f"word/media/image{i + 3}.png")
 with zipfile.ZipFile(folder + "/packed.zip", "w") as z:
     z.write(folder + "/report.docx", "OVO/report.docx")
+
+
+def pdf(images):
+    """A PDF with a page for each picture: (width, height, entries of its dictionary, its stream)."""
+    objects = ["<</Type/Catalog/Pages 2 0 R>>",
+               "<</Type/Pages/Count %d/Kids[%s]>>" % (len(images), " ".join(f"{3 + 2 * i} 0 R" for i in range(len(images))))]
+    for i, (width, height, entries, data) in enumerate(images):
+        objects.append(f"<</Type/Page/Parent 2 0 R/MediaBox[0 0 9 9]/Resources<</XObject<</I {4 + 2 * i} 0 R>>>>>>")
+        objects.append((f"<</Subtype/Image/Width {width}/Height {height}{entries}/Length {len(data)}>>\nstream\n").encode()
+                       + data + b"\nendstream")
+    out, places = b"%PDF-1.4\n", []
+    for i, body in enumerate(objects):
+        places.append(len(out))
+        out += b"%d 0 obj\n" % (i + 1) + (body if isinstance(body, bytes) else body.encode()) + b"\nendobj\n"
+    table = b"".join(b"%010d 00000 n \n" % place for place in places)
+    return out + b"xref\n0 %d\n0000000000 65535 f \n" % (len(objects) + 1) + table + (
+        b"trailer <</Root 1 0 R/Size %d>>\nstartxref\n%d\n%%%%EOF\n" % (len(objects) + 1, len(out)))
+
+
+images = []
+for picture in pictures:
+    bytes_, at, data = open(picture, "rb").read(), 8, b""
+    while at < len(bytes_):
+        length, kind = struct.unpack(">I4s", bytes_[at : at + 8])
+        if kind == b"IHDR":
+            width, height, depth, color = struct.unpack(">IIBB", bytes_[at + 8 : at + 18])
+            assert (depth, color) == (8, 2), (depth, color)
+        if kind == b"IDAT":
+            data += bytes_[at + 8 : at + 8 + length]
+        at += 12 + length
+    # As LaTeX puts PNGs into a PDF.
+    images.append((width, height, "/ColorSpace/DeviceRGB/BitsPerComponent 8/Filter/FlateDecode/DecodeParms<</Predictor 15"
+                                  f"/Colors 3/Columns {width}>>", data))
+open(folder + "/report.pdf", "wb").write(pdf(images))
+with zipfile.ZipFile(folder + "/packed-pdf.zip", "w") as z:
+    z.write(folder + "/report.pdf", "OVO/report.pdf")
+rgb = "/ColorSpace/DeviceRGB/BitsPerComponent 8/Filter/FlateDecode"
+open(folder + "/bomb.pdf", "wb").write(pdf([(99, 99, rgb, zlib.compress(bytes(80 << 20), 9))]))
+open(folder + "/cut.pdf", "wb").write(pdf(images)[:900])
+open(folder + "/short.pdf", "wb").write(pdf([(99, 99, rgb, zlib.compress(bytes(99)))]))
 PY
-for report in report.docx packed.zip; do
+for report in report.docx packed.zip report.pdf packed-pdf.zip; do
   "$zraka" grade $scene --width 48 "$folder/$report" >"$folder/out" || fail "$report ended with $?"
   contains "$folder/out" "7 of 7 marks"
 done
+expect 1 "the PDF is damaged or has a password" "$zraka" grade $scene "$folder/cut.pdf"
+expect 1 "unpack to more than 256 MiB" "$zraka" grade $scene "$folder/bomb.pdf"
+"$zraka" grade $scene "$folder/short.pdf" >"$folder/out" || fail "a picture of a PDF that is too short"
+contains "$folder/out" "cannot be read"
 echo "no archive" >"$folder/text.docx"
 expect 1 "the archive is damaged or no zip" "$zraka" grade $scene "$folder/text.docx"
 

@@ -175,19 +175,20 @@ TEST_F(Submissions, OfNothingGetNoMarks) {
       {"a disc", shape([](double x, double y) { return std::hypot(x - 0.5, y - 0.5) < 0.4; })}};
   for (const float grey : {0.0F, 0.05F, 0.1F, 0.2F, 0.5F, 1.0F})
     nothings.emplace_back(fmt::format("grey {}", grey), plain(grey, grey, grey));
-  const std::vector<Scene> scenes = {course_scene(), second_scene(), third_scene()};
+  const std::vector<Scene> scenes = {course_scene(), third_scene()};
   for (const Scene& scene : scenes) {
     const Grader grader = Grader::create(scene, lab_options()).value();
     const Image right = grader.picture(7);
     for (const auto& [name, fill] : nothings)
       for (const bool in_size : {true, false}) {
-        if (!in_size && &scene != &scenes.front()) continue;  // the same steps again
+        // The same steps again.
+        if ((!in_size || &scene != &scenes.front()) && name != "noise" && name != "a disc") continue;
         Image image(right.width, right.height);
         if (!in_size) image = Image(right.width * 5 / 4, right.height * 5 / 4);
         fill(image);
         fs::remove_all(path("ana"));
         fs::create_directories(path("ana"));
-        for (int stage = 1; stage <= 7; ++stage) {
+        for (const int stage : {1, 4, 7}) {
           if (in_size)
             ASSERT_TRUE(write_png(image, path(fmt::format("ana/{}.png", stage))));
           else
@@ -197,7 +198,7 @@ TEST_F(Submissions, OfNothingGetNoMarks) {
         EXPECT_EQ(grade.marks, 0) << name << (in_size ? "" : " scaled, in JPEG") << "\n"
                                   << grade_text(Language::english, grader, grade);
         for (const StageGrade& stage : grade.stages)
-          EXPECT_EQ(stage.verdict, Verdict::unknown) << name;
+          EXPECT_EQ(stage.verdict, stage.file.empty() ? Verdict::missing : Verdict::unknown) << name;
       }
   }
 }

@@ -135,6 +135,11 @@ bool StageComparison::shows(const MistakenBy& by) const {
   return zraka::shows(taken_, picture_of(by), fitted_.region);
 }
 
+bool StageComparison::is_near(const MistakenBy& by, double share) const {
+  const Image picture = picture_of(by);
+  return mean_square(taken_, picture, fitted_.region) <= share * spread(picture, fitted_.region);
+}
+
 Likeness StageComparison::likeness_of_change(const Image& from, const Image& to) const {
   const Image first = smoothed(from, close_.blur), second = smoothed(to, close_.blur);
   double changed = 0, left = 0, both = 0;

@@ -57,13 +57,15 @@ StageGrade Grader::Impl::judge_one(const SubmittedPicture& picture, const ReadIm
   int stage = picture.stage;
   if (stage == 0) stage = right_stage(*pictures, found, 0);
   const bool shown = picture.stage == 0 && stage != 0;
-  if (stage == 0) stage = nearest_stage(*pictures, found);
+  if (stage == 0) stage = nearest_stage(*pictures, found).stage;
   StageGrade grade = judged(stage);
   if (picture.stage_is_sure || shown || grade.verdict == Verdict::right) return grade;
   if (picture.stage != 0)
     if (const int right = right_stage(*pictures, found, 0); right != 0) return judged(right);
   if (grade.verdict != Verdict::unknown) return grade;
-  for (const int other : {nearest_stage(*pictures, found), 7}) {
+  const NearestStage nearest = nearest_stage(*pictures, found);
+  if (!nearest.near) return grade;
+  for (const int other : {nearest.stage, 7}) {
     if (other == stage) continue;
     StageGrade better = judged(other);
     if (better.verdict == Verdict::mistaken) return better;

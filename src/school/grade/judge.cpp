@@ -33,6 +33,9 @@ constexpr double kSignShare = 0.3, kSignStrength = 0.2;
 /// So few pixels show no mistake for sure.
 constexpr double kHardly = 0.005;
 constexpr std::size_t kHiddenOnes = 3;
+/// A picture is near to another where it leaves this much of what a plain one does, in squares.
+constexpr double kNear = 0.6;
+constexpr double kPlain = 1e-6;
 /// Outlines that are less alike than this tell nothing.
 constexpr double kLike = 0.5, kSeen = 0.65;
 constexpr std::size_t kFirstOfTwo = 2, kPairsByFew = 12, kPairs = 4;
@@ -298,6 +301,9 @@ StageGrade Judge::verdict(const std::set<Mistake>* known) {
     return finish(grade);
   }
   if (matches.empty()) return finish(grade);
+  // What is as far from them as a plain picture shows none.
+  if (!compared_.is_near({}, kNear) && !compared_.is_near(matches.front().candidate->by, kNear))
+    return finish(grade);
   if (known != nullptr && name_two(matches, *known, grade)) return finish(grade);
   if (compared_.shows(matches.front().candidate->by)) name_probable(matches, grade);
   return finish(grade);
@@ -355,6 +361,13 @@ const std::vector<Fitted>& Registered::fitted() const {
     if (fitted.sure) fitted_.push_back(fitted);
   if (!fitted_.empty()) return fitted_;
   const Image& right = pictures_.right(7);
+  // A plain one lies anywhere.
+  if (spread(handed_in(), {0, 0, handed_in().width, handed_in().height}) < kPlain) {
+    const GridPlacement whole{0, 0, static_cast<double>(handed_in().width) / right.width,
+                              static_cast<double>(handed_in().height) / right.height};
+    fitted_ = {fitted_at({{}, whole, 0}, handed_in(), false, right.width, right.height)};
+    return fitted_;
+  }
   fitted_ = fit(handed_in(), pictures_.outlines(), right.width, right.height);
   add_drawn_sizes(handed_in(), jpeg(), sizes_, fitted_);
   return fitted_;
@@ -428,16 +441,17 @@ int right_stage(const StagePictures& pictures, const Registered& submitted, int 
   return right_one(submitted.fitted());
 }
 
-int nearest_stage(const StagePictures& pictures, const Registered& submitted) {
+NearestStage nearest_stage(const StagePictures& pictures, const Registered& submitted) {
   const Fitted& fitted = submitted.fitted().back();
-  int nearest = 7;
+  NearestStage nearest;
   double least = std::numeric_limits<double>::infinity();
   // Any picture of the scene has its silhouette.
   for (int stage = 7; stage >= (is_flat(fitted.image, fitted.region) ? 1 : 2); --stage) {
     const Image& wanted = pictures.right(stage);
     const double d = mean_square(stage == 1 ? as_silhouette(fitted.image) : fitted.image, wanted,
                                  fitted.region);
-    if (d < least) least = d, nearest = stage;
+    if (d < least)
+      least = d, nearest = {stage, d <= kNear * spread(wanted, fitted.region)};
   }
   return nearest;
 }

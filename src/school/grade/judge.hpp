@@ -35,7 +35,11 @@ StageGrade judge(const StagePictures& pictures, int stage, const Registered& sub
 /// A stage whose right picture it is, the named one if that is one of them; 0 where it is none.
 int right_stage(const StagePictures& pictures, const Registered& submitted, int named);
 
-/// The stage whose right picture is nearest.
-int nearest_stage(const StagePictures& pictures, const Registered& submitted);
+/// The stage whose right picture is nearest, and whether it is so near that they may be the same.
+struct NearestStage {
+  int stage = 7;
+  bool near = false;
+};
+NearestStage nearest_stage(const StagePictures& pictures, const Registered& submitted);
 
 }  // namespace zraka
