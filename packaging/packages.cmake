@@ -59,7 +59,7 @@ set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 # The headers include expected's; the static libraries are linked with all that they use.
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libexpected-dev, libtbb-dev, libpng-dev, zlib1g-dev, libzstd-dev, libjpeg-dev, \\
 libopenexr-dev, libfmt-dev, nlohmann-json3-dev, nettle-dev")
-set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS "libarchive-dev, libfreetype-dev, libfontconfig-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS "libarchive-dev, libqpdf-dev, libfreetype-dev, libfontconfig-dev")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${debian}/triggers)
 
 if(TARGET zraka_program)
@@ -68,7 +68,7 @@ if(TARGET zraka_program)
     "This package has the program, which also draws what Tachyon draws, marks
 students' pictures and asks questions about them.")
   # Loaded when they are needed: letters want a font, reports and submissions archives.
-  set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libfreetype6, libfontconfig1, libarchive13, fonts-dejavu-core")
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libfreetype6, libfontconfig1, libarchive13, libqpdf29, fonts-dejavu-core")
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "libzraka-dev, python3-zraka")
 
   get_property(late GLOBAL PROPERTY ZRAKA_LATE_FILES)

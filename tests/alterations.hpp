@@ -34,9 +34,9 @@ enum class Alteration {
   count
 };
 constexpr std::string_view kNames[] = {
-    "none",           "crop",         "title bar",     "desktop",     "117 % nearest", "125 % nearest",
-    "125 % smooth",   "0.5 to 3",     "axes apart",    "fraction",    "JPEG 85",       "JPEG 60",
-    "upside down",    "transposed",   "unpainted grid", "clear edges"};
+    "none",         "crop",       "title bar",      "desktop",    "117 % nearest", "125 % nearest",
+    "125 % smooth", "0.5 to 3",   "axes apart",     "fraction",   "JPEG 85",       "JPEG 60",
+    "upside down",  "transposed", "unpainted grid", "clear edges"};
 static_assert(std::size(kNames) == static_cast<std::size_t>(Alteration::count));
 
 /// A picture, and what its file shall be.

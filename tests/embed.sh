@@ -21,7 +21,7 @@ grep -qE -- '-O3.*main\.cpp' "$commands" && fail "the project's own code gets ou
 for room in apps tests src/school bench; do
   grep -q "\"file\": \"$PWD/$room/" "$commands" && fail "$room/ is built, too"
 done
-for library in Freetype Fontconfig LibArchive CLI11 GTest embree benchmark; do
+for library in Freetype Fontconfig LibArchive qpdf CLI11 GTest embree benchmark; do
   grep -qiE "^(${library}_DIR|${library}_LIBRARY|${library}_INCLUDE)" "$folder/build/CMakeCache.txt" && fail "$library is looked for"
 done
 

@@ -84,8 +84,9 @@ void save_png(const Image& image, const std::string& path) {
 }
 
 TEST(Grade, NamesTheCauseInPng) {
-  expect_named({second_scene(), course_scene()},
-               [](const Image& image, const Folder& f) { save_png(image, f.file("a.png")); }, 0.99);
+  expect_named(
+      {second_scene(), course_scene()},
+      [](const Image& image, const Folder& f) { save_png(image, f.file("a.png")); }, 0.99);
 }
 
 TEST(Grade, NamesTheCauseInJpeg) {

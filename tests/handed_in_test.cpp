@@ -46,10 +46,10 @@ class HandedIn : public testing::Test {
 
 TEST_F(HandedIn, TheTracerOutsideOfTheEngineDrawsItsPictures) {
   for (int stage = 1; stage <= 7; ++stage)
-    EXPECT_LT(measure_errors(outside::Tracer(scene, stage).picture(), grader.picture(stage),
-                             1.5 / 255)
-                  .share(),
-              0.003)
+    EXPECT_LT(
+        measure_errors(outside::Tracer(scene, stage).picture(), grader.picture(stage), 1.5 / 255)
+            .share(),
+        0.003)
         << stage;
 }
 
@@ -142,9 +142,11 @@ TEST_F(HandedIn, IsOfTheStageThatItShowsWhateverNumberItHas) {
 
 /// What is wrong is as faint as what scaling leaves, but has the shape of a highlight.
 TEST_F(HandedIn, IsNotRightWhereScalingHidesWhatIsWrong) {
-  for (const outside::Slip slip : {outside::Slip::specular_squared_color, outside::Slip::specular_third})
-    EXPECT_NE(judged(outside::Tracer(scene, 7, slip).picture(), {Alteration::scaled_125_smooth}).verdict,
-              Verdict::right)
+  for (const outside::Slip slip :
+       {outside::Slip::specular_squared_color, outside::Slip::specular_third})
+    EXPECT_NE(
+        judged(outside::Tracer(scene, 7, slip).picture(), {Alteration::scaled_125_smooth}).verdict,
+        Verdict::right)
         << outside::kNames[static_cast<std::size_t>(slip)];
 }
 
@@ -170,8 +172,7 @@ TEST_F(HandedIn, NamesTwoMistakesAtOnce) {
 
 TEST_F(HandedIn, CostsMarksWhereMoreIsLeftThanWhatIsAllowed) {
   // The light's z has the wrong sign, and gamma: a fifth of the pixels differ after it was undone.
-  const Image picture =
-      with_power(grader.picture(7, Mistake::light_z_reversed), 1 / 2.2);
+  const Image picture = with_power(grader.picture(7, Mistake::light_z_reversed), 1 / 2.2);
   const StageGrade grade = judged(picture, {});
   EXPECT_NE(grade.verdict, Verdict::right);
   EXPECT_LT(grade.marks, 1);

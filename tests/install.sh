@@ -37,7 +37,7 @@ cmake -G Ninja -S tests/consumer -B "$folder/consumer" -DCMAKE_CXX_COMPILER="$co
 contains "$folder/cmake.txt" "error: "
 ldd "$folder/consumer/consumer" >"$folder/needed"
 grep -qF "$libraries/libzraka.so" "$folder/needed" || fail "it runs with another library than the one installed"
-grep -iE 'fontconfig|archive|freetype' "$folder/needed" && fail "it loads what only the school needs"
+grep -iE 'fontconfig|archive|freetype|qpdf' "$folder/needed" && fail "it loads what only the school needs"
 
 export PKG_CONFIG_PATH=$libraries/pkgconfig
 # shellcheck disable=SC2046

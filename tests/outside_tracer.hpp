@@ -143,7 +143,8 @@ class Tracer {
   }
   double meet(std::size_t i, Vector from, Vector way, double epsilon) const {
     const Vector c = center(i) - from;
-    const double along = c.dot(way), r = radius(i), d = r * r - (c - along * way).dot(c - along * way);
+    const double along = c.dot(way), r = radius(i),
+                 d = r * r - (c - along * way).dot(c - along * way);
     if (d < 0) return std::numeric_limits<double>::infinity();
     const double near = along - std::sqrt(d), far = along + std::sqrt(d);
     if (near > epsilon) return near;
@@ -223,8 +224,7 @@ class Tracer {
     }
     const double b = inside ? 1 / m.ior : m.ior, d = b * b * cosine * cosine - b * b + 1;
     if (k2 > 0 && d >= 0)
-      refracted =
-          k2 * trace(point, ((b * cosine - std::sqrt(d)) * n - b * v).unit(), depth + 1);
+      refracted = k2 * trace(point, ((b * cosine - std::sqrt(d)) * n - b * v).unit(), depth + 1);
     Vector sum = own + reflected + refracted;
     if (is(Slip::mean_of_three)) sum = 1.0 / 3 * sum;
     return clamped(sum);

@@ -182,7 +182,8 @@ TEST_F(Submissions, OfNothingGetNoMarks) {
     for (const auto& [name, fill] : nothings)
       for (const bool in_size : {true, false}) {
         // The same steps again.
-        if ((!in_size || &scene != &scenes.front()) && name != "noise" && name != "a disc") continue;
+        if ((!in_size || &scene != &scenes.front()) && name != "noise" && name != "a disc")
+          continue;
         Image image(right.width, right.height);
         if (!in_size) image = Image(right.width * 5 / 4, right.height * 5 / 4);
         fill(image);
@@ -198,7 +199,8 @@ TEST_F(Submissions, OfNothingGetNoMarks) {
         EXPECT_EQ(grade.marks, 0) << name << (in_size ? "" : " scaled, in JPEG") << "\n"
                                   << grade_text(Language::english, grader, grade);
         for (const StageGrade& stage : grade.stages)
-          EXPECT_EQ(stage.verdict, stage.file.empty() ? Verdict::missing : Verdict::unknown) << name;
+          EXPECT_EQ(stage.verdict, stage.file.empty() ? Verdict::missing : Verdict::unknown)
+              << name;
       }
   }
 }

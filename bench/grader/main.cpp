@@ -25,8 +25,8 @@ using altered::Alteration;
 using altered::Altered;
 using altered::Random;
 
-constexpr std::string_view kWords[] = {"",       "silhouette", "ambient",    "diffuse",
-                                       "specular", "shadow",   "reflection", "refraction"};
+constexpr std::string_view kWords[] = {"",         "silhouette", "ambient",    "diffuse",
+                                       "specular", "shadow",     "reflection", "refraction"};
 
 struct Case {
   std::string kind, name;
@@ -65,14 +65,24 @@ struct Bench {
   Case right(std::size_t i) {
     const std::size_t scene = random() % 3;
     const int stage = 1 + static_cast<int>(random() % 7);
-    return {"right", fmt::format("stage {}", stage), scene, stage, graders[scene].picture(stage),
-            {}, some_alterations(i)};
+    return {"right",
+            fmt::format("stage {}", stage),
+            scene,
+            stage,
+            graders[scene].picture(stage),
+            {},
+            some_alterations(i)};
   }
   Case own_right(std::size_t i) {
     const std::size_t scene = random() % 3;
     const int stage = 1 + static_cast<int>(random() % 7);
-    return {"right, own tracer", fmt::format("stage {}", stage), scene, stage,
-            outside::Tracer(scenes[scene], stage).picture(), {}, some_alterations(i)};
+    return {"right, own tracer",
+            fmt::format("stage {}", stage),
+            scene,
+            stage,
+            outside::Tracer(scenes[scene], stage).picture(),
+            {},
+            some_alterations(i)};
   }
   Case one(std::size_t i) {
     for (;;) {
@@ -80,9 +90,10 @@ struct Bench {
       const std::size_t scene = random() % 3;
       const int stage = random() % 2 == 0 ? 7 : std::max(2, entry.first_stage);
       const Image picture = graders[scene].picture(stage, entry.mistake);
-      if (measure_errors(picture, graders[scene].picture(stage), 2.5 / 255).share() < 0.02) continue;
-      return {"one mistake", std::string(entry.key), scene, stage, picture, {entry.mistake},
-              some_alterations(i)};
+      if (measure_errors(picture, graders[scene].picture(stage), 2.5 / 255).share() < 0.02)
+        continue;
+      return {"one mistake",   std::string(entry.key), scene, stage, picture,
+              {entry.mistake}, some_alterations(i)};
     }
   }
   Case outside(std::size_t i) {
@@ -92,9 +103,15 @@ struct Bench {
       const std::size_t scene = random() % 3;
       const int stage = random() % 2 == 0 ? 7 : outside::stage_of(slip);
       const Image picture = outside::Tracer(scenes[scene], stage, slip).picture();
-      if (measure_errors(picture, graders[scene].picture(stage), 2.5 / 255).share() < 0.02) continue;
-      return {"outside", std::string(outside::kNames[static_cast<std::size_t>(slip)]), scene, stage,
-              picture, {}, some_alterations(i)};
+      if (measure_errors(picture, graders[scene].picture(stage), 2.5 / 255).share() < 0.02)
+        continue;
+      return {"outside",
+              std::string(outside::kNames[static_cast<std::size_t>(slip)]),
+              scene,
+              stage,
+              picture,
+              {},
+              some_alterations(i)};
     }
   }
   Case two(std::size_t i);
@@ -118,7 +135,7 @@ struct Bench {
         picture = graders[(scene + 2) % 3].picture(7);
         if (scene == 1) picture = graders[2].picture(7);
     }
-    return {"nothing", name, scene, 2 + static_cast<int>(random() % 6), picture, {},
+    return {"nothing",          name, scene, 2 + static_cast<int>(random() % 6), picture, {},
             some_alterations(i)};
   }
 
@@ -154,8 +171,13 @@ Case Bench::two(std::size_t i) {
     // Each of them has to show beside the other.
     if (!far(graders[scene].picture(7)) || !far(stored({a->mistake})) || !far(stored({b->mistake})))
       continue;
-    return {"two mistakes", fmt::format("{} + {}", a->key, b->key), scene, 7, picture,
-            {a->mistake, b->mistake}, {i % 2 == 0 ? Alteration::none : Alteration::jpeg_85}};
+    return {"two mistakes",
+            fmt::format("{} + {}", a->key, b->key),
+            scene,
+            7,
+            picture,
+            {a->mistake, b->mistake},
+            {i % 2 == 0 ? Alteration::none : Alteration::jpeg_85}};
   }
 }
 
@@ -163,12 +185,12 @@ void Bench::judge(const Case& c, unsigned seed) {
   Random own(seed);
   Altered a{c.picture};
   for (const Alteration how : c.how) altered::alter(a, how, own);
-  const auto folder = std::filesystem::temp_directory_path() /
-                      fmt::format("grader-bench-{}-{}", ::getpid(), seed);
+  const auto folder =
+      std::filesystem::temp_directory_path() / fmt::format("grader-bench-{}-{}", ::getpid(), seed);
   std::filesystem::create_directory(folder);
-  const std::string file =
-      (folder / fmt::format("{}.{}", kWords[static_cast<std::size_t>(c.stage)],
-                            a.jpeg > 0 ? "jpg" : "png")).string();
+  const std::string file = (folder / fmt::format("{}.{}", kWords[static_cast<std::size_t>(c.stage)],
+                                                 a.jpeg > 0 ? "jpg" : "png"))
+                               .string();
   if (a.jpeg > 0)
     std::ofstream(file, std::ios::binary) << jpeg_file(a.image, a.jpeg);
   else
@@ -218,8 +240,9 @@ void Bench::judge(const Case& c, unsigned seed) {
     tally.wrong_as_fact += named && verdict != "probably";
   };
   count(of_kind[c.kind]);
-  count(of_kind[c.kind + (c.how.size() > 1 ? ", altered twice"
-                          : c.how[0] == Alteration::none ? ", as it is" : ", altered")]);
+  count(of_kind[c.kind + (c.how.size() > 1               ? ", altered twice"
+                          : c.how[0] == Alteration::none ? ", as it is"
+                                                         : ", altered")]);
   for (const Alteration one : c.how)
     count(of_alteration[std::string(altered::kNames[static_cast<std::size_t>(one)])][c.kind]);
   if (tell && !right)
@@ -273,8 +296,9 @@ int run(int count, char** values) {
     if (wanted("nothing")) all.push_back(bench.nothing(i));
   }
   const auto made = std::chrono::steady_clock::now();
-  tbb::parallel_for(std::size_t{0}, all.size(),
-                    [&](std::size_t i) { bench.judge(all[i], seed * 100003 + static_cast<unsigned>(i)); });
+  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
+    bench.judge(all[i], seed * 100003 + static_cast<unsigned>(i));
+  });
   bench.print();
   const std::chrono::duration<double> making = made - start,
                                       judging = std::chrono::steady_clock::now() - made;

@@ -108,8 +108,7 @@ Image aligned(const Image& image, const Alignment& way) {
 
 Image through_scaling(const Image& image, const Fitted& fitted) {
   if (fitted.exact || fitted.smallest > 0.97) return image;
-  const Image there =
-      resampled(image, inverse(fitted.placement), fitted.width, fitted.height);
+  const Image there = resampled(image, inverse(fitted.placement), fitted.width, fitted.height);
   return resampled(there, fitted.placement, image.width, image.height);
 }
 
@@ -313,8 +312,7 @@ Rest rest_of(const Image& picture, const Image& other, const Region& region,
     for (std::uint32_t x = region.left; x < region.right; ++x) {
       float far = 0;
       for (std::size_t i = std::size_t{3} * x; i < std::size_t{3} * x + 3; ++i) {
-        const float outside =
-            std::max(0.0F, std::max(l[i] - p[i], p[i] - h[i]) - close.tolerance);
+        const float outside = std::max(0.0F, std::max(l[i] - p[i], p[i] - h[i]) - close.tolerance);
         far = std::max(far, outside);
         of_row += outside * outside;
       }

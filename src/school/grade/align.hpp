@@ -14,9 +14,7 @@ class StagePictures;
 /// A rectangle of pixels that can be compared.
 struct Region {
   std::uint32_t left = 0, top = 0, right = 0, bottom = 0;  ///< right and bottom are outside
-  double pixels() const {
-    return (right - left) * static_cast<double>(bottom - top);
-  }
+  double pixels() const { return (right - left) * static_cast<double>(bottom - top); }
 };
 
 /// A submission in the right picture's size.
@@ -68,12 +66,12 @@ bool shows(const Image& picture, const Image& other, const Region& region);
 
 /// What an alteration makes of pixels that are right.
 struct Closeness {
-  unsigned blur = 0;      ///< both pictures are smoothed that often by the mean of 3×3 pixels
-  bool reach = false;     ///< values between those of pixels next to it are right
-  float tolerance = 0;    ///< and those this far outside
-  double share = 0.005;   ///< of the pixels that are farther outside
-  double biased = 1;      ///< and of the blocks that are lighter or darker as a whole
-  bool grey = false;      ///< blocks may have other colours: JPEGs keep few
+  unsigned blur = 0;     ///< both pictures are smoothed that often by the mean of 3×3 pixels
+  bool reach = false;    ///< values between those of pixels next to it are right
+  float tolerance = 0;   ///< and those this far outside
+  double share = 0.005;  ///< of the pixels that are farther outside
+  double biased = 1;     ///< and of the blocks that are lighter or darker as a whole
+  bool grey = false;     ///< blocks may have other colours: JPEGs keep few
 };
 Closeness closeness_of(const Fitted& fitted, bool jpeg, const Rubric& rubric);
 

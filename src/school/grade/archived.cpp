@@ -125,7 +125,8 @@ Result<void> ArchiveReader::read(archive* from, const std::string& within, bool 
     const fs::path inside(name);
     if (inside.is_absolute() || name.find('\\') != std::string::npos ||
         std::find(inside.begin(), inside.end(), "..") != inside.end())
-      return failure(path_, phrase(Word::grade_outside, shown(name)), phrase(Word::grade_pack_anew));
+      return failure(path_, phrase(Word::grade_outside, shown(name)),
+                     phrase(Word::grade_pack_anew));
     if (archive_entry_filetype(entry) != AE_IFREG || is_hidden(inside)) continue;
     const std::string called = within.empty() ? name : within + "/" + name;
     if (Result<void> good = take(from, name, called, document, depth); !good) return good;
@@ -141,9 +142,10 @@ Result<void> ArchiveReader::take(archive* from, const std::string& name, const s
   const bool archived = !document && depth < kDeepest && is_archive(name);
   if (!archived && !is_picture(name) && name != kUnknownName) return {};
   if (!archived && pictures_.size() == kMostPictures) return too_many_pictures(path_);
-  SubmittedPicture picture{.file = called,
-                           .stage = document ? 0 : stage_of_name(fs::path(name).filename().string()),
-                           .document = document};
+  SubmittedPicture picture{
+      .file = called,
+      .stage = document ? 0 : stage_of_name(fs::path(name).filename().string()),
+      .document = document};
   if (!archived && picture.stage == kNoStage) {
     pictures_.push_back(std::move(picture));
     return {};

@@ -30,7 +30,8 @@ bool is_small_shift(Mistake mistake) {
 
 }  // namespace
 
-StageComparison::StageComparison(const StagePictures& pictures, int stage, const Fitted& fitted, bool jpeg)
+StageComparison::StageComparison(const StagePictures& pictures, int stage, const Fitted& fitted,
+                                 bool jpeg)
     : pictures_(pictures),
       sized_(fitted.pictures != nullptr ? *fitted.pictures : pictures),
       stage_(stage),
@@ -181,7 +182,7 @@ std::vector<double> StageComparison::products_with(const std::vector<Candidate>&
 }
 
 std::vector<Mistake> StageComparison::likely_besides(const MistakenBy& by, const Image& picture,
-                                                std::size_t most) const {
+                                                     std::size_t most) const {
   const Image& right = pictures_.coarse(stage_);
   const Image small = few(right.width, right.height),
               explained = sampled(picture, right.width, right.height);

@@ -60,7 +60,8 @@ double Level::likeness(const GridPlacement& at) const {
     return Tap{static_cast<std::uint32_t>(whole), static_cast<float>(c - whole)};
   };
   std::vector<Tap> taps;
-  for (std::uint32_t x = x0; x < x1; ++x) taps.push_back(tap(at.left + (x + 0.5) * at.across, width));
+  for (std::uint32_t x = x0; x < x1; ++x)
+    taps.push_back(tap(at.left + (x + 0.5) * at.across, width));
   const std::uint32_t from = std::min(taps.front().first, taps.back().first),
                       next = submission_.width > 1 ? 1 : 0,
                       to = std::max(taps.front().first, taps.back().first) + next + 1;
@@ -106,11 +107,16 @@ double Level::refine(GridPlacement& at, double first, double last) const {
           start -= (grown - scale) * size / 2;
           scale = grown;
         };
-        if (move < 2) next.left += by * at.across;
-        else if (move < 4) next.top += by * at.down;
-        else if (move < 6) stretch(next.left, next.across, w);
-        else if (move < 8) stretch(next.top, next.down, h);
-        else stretch(next.left, next.across, w), stretch(next.top, next.down, h);
+        if (move < 2)
+          next.left += by * at.across;
+        else if (move < 4)
+          next.top += by * at.down;
+        else if (move < 6)
+          stretch(next.left, next.across, w);
+        else if (move < 8)
+          stretch(next.top, next.down, h);
+        else
+          stretch(next.left, next.across, w), stretch(next.top, next.down, h);
         if (next.across / next.down > 1.08 || next.down / next.across > 1.08) continue;
         if (const double like = likeness(next); like > best + 1e-7)
           best = like, at = next, better = true;
@@ -144,12 +150,17 @@ void slide(const Searched& small, const Grid& where, double least,
         const float* b = where.row(static_cast<std::uint32_t>(y + top)) + left;
         std::int32_t x = x0;
         for (; x + 4 <= x1; x += 4)
-          for (std::int32_t i = 0; i < 4; ++i) ts[static_cast<std::size_t>(i)] += a[x + i] * b[x + i];
+          for (std::int32_t i = 0; i < 4; ++i)
+            ts[static_cast<std::size_t>(i)] += a[x + i] * b[x + i];
         for (; x < x1; ++x) ts[0] += a[x] * b[x];
       }
       const std::array<double, 2> t = sums_of(small.table, x0, y0, x1, y1),
                                   s = sums_of(table, x0 + left, y0 + top, x1 + left, y1 + top);
-      const Sums sums{static_cast<double>((x1 - x0) * (y1 - y0)), t[0], t[1], s[0], s[1],
+      const Sums sums{static_cast<double>((x1 - x0) * (y1 - y0)),
+                      t[0],
+                      t[1],
+                      s[0],
+                      s[1],
                       static_cast<double>((ts[0] + ts[1]) + (ts[2] + ts[3]))};
       if (const double like = sums.likeness(w * h, small.table.energy()); like > least)
         found(left, top, like);

@@ -37,7 +37,8 @@ std::pair<std::uint32_t, std::uint32_t> SizedPictures::own_size() const {
 const StagePictures* SizedPictures::of(std::uint32_t width, std::uint32_t height) const {
   const auto [own_width, own_height] = own_.scene().resolution;
   if (width == own_width && height == own_height) return &own_;
-  const double shape = static_cast<double>(width) * own_height / (static_cast<double>(height) * own_width);
+  const double shape =
+      static_cast<double>(width) * own_height / (static_cast<double>(height) * own_width);
   const std::uint64_t pixels = std::uint64_t{width} * height;
   if (std::min(width, height) < kLeastSide || std::fabs(shape - 1) > 0.005) return nullptr;
   if (pixels > std::max(kMostOfOne, std::uint64_t{own_width} * own_height)) return nullptr;
@@ -132,8 +133,7 @@ std::optional<Image> unrepeated(const Image& image, std::uint32_t width, std::ui
         ++all;
         same += std::fabs(here[0] - again.row(y)[x]) < kSameColor;
       }
-    if (all >= kLeastOutline &&
-        static_cast<double>(same) >= kRepeated * static_cast<double>(all))
+    if (all >= kLeastOutline && static_cast<double>(same) >= kRepeated * static_cast<double>(all))
       return out;
   }
   return std::nullopt;
@@ -148,8 +148,7 @@ std::vector<Fitted> drawn_as_whole(const Image& submitted, bool jpeg, const Size
     const double across = static_cast<double>(width) / own_width,
                  down = static_cast<double>(height) / own_height;
     if (jpeg || unpainted || std::fabs(across / down - 1) > 0.02) return;
-    const std::optional<Image> out =
-        unrepeated(turned_by(submitted, turn), own_width, own_height);
+    const std::optional<Image> out = unrepeated(turned_by(submitted, turn), own_width, own_height);
     if (!out) return;
     all.push_back(fitted_at({{}, {}, 1}, *out, false, own_width, own_height));
     all.back().sure = true;

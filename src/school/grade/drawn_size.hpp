@@ -38,13 +38,13 @@ class SizedPictures {
   mutable std::uint64_t pixels_ = 0;  ///< of all sizes
 };
 
-/// A submission as a whole, turned or not, in the size that a program may have drawn it in: as it is
-/// where that is the scene's own, else where it keeps to the scene's outlines.
+/// A submission as a whole, turned or not, in the size that a program may have drawn it in: as it
+/// is where that is the scene's own, else where it keeps to the scene's outlines.
 std::vector<Fitted> drawn_as_whole(const Image& submitted, bool jpeg, const SizedPictures& sizes);
 
 /// Puts before each scaled fit of a submission the one in the size that a program may have drawn it
-/// in, which leaves its pixels as they are. Where one that does so keeps to the scene's outlines, all
-/// that do not are left out.
+/// in, which leaves its pixels as they are. Where one that does so keeps to the scene's outlines,
+/// all that do not are left out.
 void add_drawn_sizes(const Image& submitted, bool jpeg, const SizedPictures& sizes,
                      std::vector<Fitted>& fitted);
 

@@ -30,8 +30,8 @@ void trim_frame(Fitted& fitted, const Image& wanted) {
         bool plain = true, other = false;
         for (std::size_t c = 0; c < 3; ++c) {
           plain = plain && std::fabs(channels[c][i] - middle[c]) < 0.05F;
-          other = other ||
-                  std::fabs(channels[c][i] - wanted.row(y)[std::size_t{3} * x + c]) > 0.06F;
+          other =
+              other || std::fabs(channels[c][i] - wanted.row(y)[std::size_t{3} * x + c]) > 0.06F;
         }
         count += plain && other;
         same += plain;
@@ -48,8 +48,7 @@ void trim_frame(Fitted& fitted, const Image& wanted) {
   r.bottom = std::min(r.bottom + mixed, wanted.height);
   const Region whole = r;
   const std::uint32_t across = (r.right - r.left) / 7, down = (r.bottom - r.top) / 7;
-  while (r.top < whole.top + down &&
-         foreign(r.top - whole.top, r.left, r.right, r.top, r.top + 1))
+  while (r.top < whole.top + down && foreign(r.top - whole.top, r.left, r.right, r.top, r.top + 1))
     ++r.top;
   while (r.bottom > whole.bottom - down &&
          foreign(whole.bottom - r.bottom, r.left, r.right, r.bottom - 1, r.bottom))

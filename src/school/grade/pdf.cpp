@@ -218,7 +218,9 @@ std::optional<std::string> Pdf::file_of(qpdf_oh picture) const {
   if (!packed) return std::nullopt;
   const std::size_t channels = *colors == "3" ? 3 : 1,
                     row = (static_cast<std::size_t>(width) * channels *
-                               static_cast<std::size_t>(bits) + 7) / 8;
+                               static_cast<std::size_t>(bits) +
+                           7) /
+                          8;
   if (packed->size() < row * static_cast<std::size_t>(height)) return std::nullopt;
   std::string file = fmt::format("P6\n{} {}\n255\n", width, height);
   file.reserve(file.size() + 3 * pixels);

@@ -28,17 +28,17 @@ Grid reduced_to(const Grid& plane, std::uint32_t side) {
     return std::max(1U, static_cast<std::uint32_t>(std::lround(n / by)));
   };
   const std::uint32_t width = size(plane.width), height = size(plane.height);
-  return resampled(plane,
-                   {0, 0, static_cast<double>(plane.width) / width,
-                    static_cast<double>(plane.height) / height},
-                   width, height);
+  return resampled(
+      plane,
+      {0, 0, static_cast<double>(plane.width) / width, static_cast<double>(plane.height) / height},
+      width, height);
 }
 
 /// The placement of one size of template and submission in those of another.
 GridPlacement rescaled(const GridPlacement& p, double template_by_x, double template_by_y,
-                   double submission_by_x, double submission_by_y) {
-  return {p.left * submission_by_x, p.top * submission_by_y, p.across * submission_by_x / template_by_x,
-          p.down * submission_by_y / template_by_y};
+                       double submission_by_x, double submission_by_y) {
+  return {p.left * submission_by_x, p.top * submission_by_y,
+          p.across * submission_by_x / template_by_x, p.down * submission_by_y / template_by_y};
 }
 
 struct Turned {

@@ -15,9 +15,11 @@ struct Turn {
   bool flipped_first = false, transposed = false, flipped = false;
 };
 /// All that the sheet's wording allows; the first leaves it as it is.
-inline constexpr Turn kTurns[] = {
-    {}, {.flipped = true}, {.transposed = true}, {.transposed = true, .flipped = true},
-    {.flipped_first = true, .transposed = true}};
+inline constexpr Turn kTurns[] = {{},
+                                  {.flipped = true},
+                                  {.transposed = true},
+                                  {.transposed = true, .flipped = true},
+                                  {.flipped_first = true, .transposed = true}};
 
 /// Where a picture lies in a submission that was turned first.
 struct Position {

@@ -129,7 +129,7 @@ Image resampled(const Image& image, const GridPlacement& placement, std::uint32_
 }
 
 Grid resampled(const Grid& plane, const GridPlacement& placement, std::uint32_t width,
-                std::uint32_t height) {
+               std::uint32_t height) {
   Grid out(width, height);
   out.values = resampled(plane.values, plane.width, plane.height, 1, placement, width, height);
   return out;

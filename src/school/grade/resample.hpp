@@ -34,7 +34,7 @@ GridPlacement inverse(const GridPlacement& placement);
 Image resampled(const Image& image, const GridPlacement& placement, std::uint32_t width,
                 std::uint32_t height);
 Grid resampled(const Grid& grid, const GridPlacement& placement, std::uint32_t width,
-                std::uint32_t height);
+               std::uint32_t height);
 
 /// Columns and rows change places.
 Image transposed(const Image& image);

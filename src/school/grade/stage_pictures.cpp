@@ -51,8 +51,8 @@ Result<std::unique_ptr<StagePictures>> StagePictures::create(const Scene& scene,
     made->right_[index(stage)] = std::move(*picture);
   }
   // Silhouettes are in all pictures; light and mirrors add to them.
-  made->outlines_ = Template({&made->right(1), &made->right(1), &made->right(2), &made->right(3),
-                              &made->right(7)});
+  made->outlines_ = Template(
+      {&made->right(1), &made->right(1), &made->right(2), &made->right(3), &made->right(7)});
   made->mirrored_outlines_ = made->outlines_.mirrored();
   return made;
 }
@@ -93,9 +93,11 @@ std::vector<Candidate> StagePictures::render_all(int stage) const {
   for (const MistakeEntry& entry : all_mistakes()) {
     if (entry.first_stage > stage) continue;
     // What render() refuses was refused by create(). Part of a pixel is so in its own size only.
-    const bool of_pixels = entry.mistake == Mistake::pixel_center || entry.mistake == Mistake::shifted;
-    Image made = of_pixels ? sampled(render(stage, entry.mistake).value(), right.width, right.height)
-                           : render(stage, entry.mistake, by).value();
+    const bool of_pixels =
+        entry.mistake == Mistake::pixel_center || entry.mistake == Mistake::shifted;
+    Image made = of_pixels
+                     ? sampled(render(stage, entry.mistake).value(), right.width, right.height)
+                     : render(stage, entry.mistake, by).value();
     // A plain picture shows nothing, and one that would pass for right is no picture of a mistake.
     if (spread(made, {0, 0, made.width, made.height}) < 1e-4) continue;
     if (measure_errors(made, right, (rubric_.tolerance + 0.5) / 255).share() <= rubric_.share)
@@ -199,7 +201,8 @@ Image sampled(const Image& image, std::uint32_t width, std::uint32_t height) {
   Image out(width, height);
   // The lab's rays go through the corners of pixels.
   const auto nearest = [](std::uint32_t i, std::uint32_t of, std::uint32_t in) {
-    return std::min(in - 1, static_cast<std::uint32_t>((2 * std::uint64_t{i} * in + of) / (2 * of)));
+    return std::min(in - 1,
+                    static_cast<std::uint32_t>((2 * std::uint64_t{i} * in + of) / (2 * of)));
   };
   for (std::uint32_t y = 0; y < height; ++y)
     for (std::uint32_t x = 0; x < width; ++x)

@@ -15,14 +15,14 @@ inline constexpr int kNoStage = 8;
 
 /// A picture that was handed in, not decoded yet: submissions hold many, and may hold large ones.
 struct SubmittedPicture {
-  std::string file;        ///< as it is called in the submission
-  int stage = 0;           ///< by its name: 1 to 7, kNoStage, or 0 where the name does not say
-  std::string path{};      ///< where it lies; "" in an archive
-  std::string bytes{};     ///< the file, of one in an archive
-  Diagnostics problems{};  ///< why it cannot be read, where that is known
+  std::string file;            ///< as it is called in the submission
+  int stage = 0;               ///< by its name: 1 to 7, kNoStage, or 0 where the name does not say
+  std::string path{};          ///< where it lies; "" in an archive
+  std::string bytes{};         ///< the file, of one in an archive
+  Diagnostics problems{};      ///< why it cannot be read, where that is known
   bool stage_is_sure = false;  ///< a word tells it, or whoever marks; numbers are hints
-  bool alone = false;      ///< it was handed in as a file of its own
-  bool document = false;   ///< it is a report's, whose program has chosen its name
+  bool alone = false;          ///< it was handed in as a file of its own
+  bool document = false;       ///< it is a report's, whose program has chosen its name
 };
 
 /// What pictures are compared with.
