@@ -50,7 +50,7 @@ inline double from(Random& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random() % 100001) / 100000);
 }
 inline std::uint32_t whole(Random& random, std::uint32_t low, std::uint32_t high) {
-  return low + random() % (high - low + 1);
+  return low + static_cast<std::uint32_t>(random()) % (high - low + 1);
 }
 
 inline Image nearest(const Image& image, double factor) {
