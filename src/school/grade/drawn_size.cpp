@@ -17,6 +17,7 @@ namespace {
 constexpr std::uint64_t kMostOfOne = std::uint64_t{1} << 20, kMostOfAll = std::uint64_t{4} << 20;
 /// Smaller ones show too little.
 constexpr std::uint32_t kLeastSide = 48;
+constexpr std::size_t kMostOutlines = 200;
 /// What is no farther from the background has its colour.
 constexpr float kSameColor = 0.008F, kSameInJpeg = 0.04F;
 constexpr std::size_t kLeastOutline = 40;
@@ -24,24 +25,65 @@ constexpr std::size_t kLeastOutline = 40;
 constexpr double kRepeated = 0.99;  ///< of the outlines, where pixels were repeated
 constexpr double kOfAll = 0.85, kOfJpeg = 0.7, kSure = 0.97, kSureOfJpeg = 0.9;
 
+Outline outline_of(const Image& silhouette) {
+  Outline outline;
+  const auto lit = [&](std::uint32_t x, std::uint32_t y) {
+    return silhouette.row(y)[std::size_t{3} * x] > 0.5F;
+  };
+  for (std::uint32_t y = 1; y + 1 < silhouette.height; ++y)
+    for (std::uint32_t x = 1; x + 1 < silhouette.width; ++x) {
+      const bool here = lit(x, y);
+      if (lit(x - 1, y) != here || lit(x + 1, y) != here || lit(x, y - 1) != here ||
+          lit(x, y + 1) != here)
+        (here ? outline.inside : outline.outside).emplace_back(x, y);
+    }
+  return outline;
+}
+
 }  // namespace
 
 SizedPictures::SizedPictures(const StagePictures& own) : own_(own) {}
 SizedPictures::~SizedPictures() = default;
+
+std::array<float, 3> SizedPictures::background() const {
+  return own_.background();
+}
 
 std::pair<std::uint32_t, std::uint32_t> SizedPictures::own_size() const {
   const Resolution& size = own_.scene().resolution;
   return {size.width, size.height};
 }
 
+/// A size that its pictures may be asked for in.
+bool SizedPictures::may_be(std::uint32_t width, std::uint32_t height) const {
+  const auto [own_width, own_height] = own_size();
+  const double shape = static_cast<double>(width) * own_height / height / own_width;
+  return std::min(width, height) >= kLeastSide && std::fabs(shape - 1) <= 0.005 &&
+         std::uint64_t{width} * height <=
+             std::max(kMostOfOne, std::uint64_t{own_width} * own_height);
+}
+
+Outline SizedPictures::outline(std::uint32_t width, std::uint32_t height, Mistake mistake) const {
+  if (!may_be(width, height)) return {};
+  const std::tuple key(width, height, mistake);
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = outlines_.find(key); found != outlines_.end()) return found->second;
+  }
+  const bool own = std::pair(width, height) == own_size();
+  const Outline made =
+      outline_of(own ? own_.picture(1, mistake)
+                     : StagePictures::in_size(own_, width, height)->picture(1, mistake));
+  const std::lock_guard lock(mutex_);
+  if (outlines_.size() < kMostOutlines) outlines_.try_emplace(key, made);
+  return made;
+}
+
 const StagePictures* SizedPictures::of(std::uint32_t width, std::uint32_t height) const {
-  const auto [own_width, own_height] = own_.scene().resolution;
-  if (width == own_width && height == own_height) return &own_;
-  const double shape =
-      static_cast<double>(width) * own_height / (static_cast<double>(height) * own_width);
+  if (width == 0 || height == 0) return nullptr;
+  if (std::pair(width, height) == own_size()) return &own_;
+  if (!may_be(width, height)) return nullptr;
   const std::uint64_t pixels = std::uint64_t{width} * height;
-  if (std::min(width, height) < kLeastSide || std::fabs(shape - 1) > 0.005) return nullptr;
-  if (pixels > std::max(kMostOfOne, std::uint64_t{own_width} * own_height)) return nullptr;
   const std::lock_guard lock(mutex_);
   const auto found = others_.find({width, height});
   if (found != others_.end()) return found->second.get();
@@ -68,26 +110,6 @@ Image repeated(const Image& image, std::uint32_t width, std::uint32_t height, bo
           image.row(at(y, height, image.height)) + std::size_t{3} * at(x, width, image.width), 3,
           out.row(y) + std::size_t{3} * x);
   return out;
-}
-
-/// The pixels on both sides of a silhouette's outline.
-struct Outline {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> inside, outside;
-};
-
-Outline outline_of(const Image& silhouette) {
-  Outline outline;
-  const auto lit = [&](std::uint32_t x, std::uint32_t y) {
-    return silhouette.row(y)[std::size_t{3} * x] > 0.5F;
-  };
-  for (std::uint32_t y = 1; y + 1 < silhouette.height; ++y)
-    for (std::uint32_t x = 1; x + 1 < silhouette.width; ++x) {
-      const bool here = lit(x, y);
-      if (lit(x - 1, y) != here || lit(x + 1, y) != here || lit(x, y - 1) != here ||
-          lit(x, y + 1) != here)
-        (here ? outline.inside : outline.outside).emplace_back(x, y);
-    }
-  return outline;
 }
 
 /// The share of an outline's pixels that are on their sides of it: all where a program has drawn
@@ -162,20 +184,45 @@ std::vector<Fitted> drawn_as_whole(const Image& submitted, bool jpeg, const Size
   for (const Turn& turn : kTurns) {
     const std::uint32_t width = turn.transposed ? submitted.height : submitted.width,
                         height = turn.transposed ? submitted.width : submitted.height;
-    const StagePictures* pictures = sizes.of(width, height);
     add_unrepeated(turn, width, height);
-    if (pictures == nullptr) continue;
-    const bool own = sizes.is_own(*pictures);
+    const bool own = std::pair(width, height) == sizes.own_size();
     const bool as_it_is = own && !turn.flipped_first && !turn.transposed && !turn.flipped;
-    const double share = on_their_sides(outline_of(pictures->right(1)), turned_by(submitted, turn),
-                                        jpeg, 0, 0, pictures->background());
+    const Image turned = turned_by(submitted, turn);
+    // What moves the outline by a pixel at most is found out later.
+    double share = 0;
+    for (const Mistake moved :
+         {Mistake::none, Mistake::pixel_center, Mistake::shifted, Mistake::y_down})
+      if (share < (jpeg ? kOfJpeg : kOfAll) && (moved != Mistake::y_down || !own))
+        share = std::max(share, on_their_sides(sizes.outline(width, height, moved), turned, jpeg, 0,
+                                               0, sizes.background()));
     if (!as_it_is && share < (jpeg ? kOfJpeg : kOfAll)) continue;
+    const StagePictures* pictures = sizes.of(width, height);
+    if (pictures == nullptr) continue;
     all.push_back(fitted_at({turn, {}, 1}, submitted, false, width, height));
     all.back().sure = share >= (jpeg ? kSureOfJpeg : kSure);
     if (!own) all.back().pictures = pictures;
   }
   return all;
 }
+
+namespace {
+
+/// Widths that a picture may have been drawn in which was found about so wide: people like round
+/// ones.
+std::vector<std::uint32_t> likely_widths(double width) {
+  std::vector<std::uint32_t> widths;
+  const auto add = [&](double w) {
+    const auto whole = static_cast<std::uint32_t>(std::lround(w));
+    if (std::find(widths.begin(), widths.end(), whole) == widths.end()) widths.push_back(whole);
+  };
+  for (const double round : {50.0, 32.0})
+    if (const double w = std::round(width / round) * round; std::fabs(w - width) < 0.012 * width)
+      add(w);
+  for (const int more : {0, 1, -1}) add(std::round(width) + more);
+  return widths;
+}
+
+}  // namespace
 
 void add_drawn_sizes(const Image& submitted, bool jpeg, const SizedPictures& sizes,
                      std::vector<Fitted>& fitted) {
@@ -187,47 +234,41 @@ void add_drawn_sizes(const Image& submitted, bool jpeg, const SizedPictures& siz
                         std::fabs(at.across / at.down - 1) < 0.02;
     double most = jpeg ? kOfJpeg : kOfAll;
     Position best{};
-    const StagePictures* found = nullptr;
+    std::pair<std::uint32_t, std::uint32_t> found;
     const Image turned = may_be ? turned_by(submitted, one.turn) : Image();
-    for (int more = -1; more <= 1 && may_be; ++more) {
-      auto w = static_cast<std::uint32_t>(std::lround(width) + more),
-           h = static_cast<std::uint32_t>(std::lround(height) + more);
-      if (one.image.width == one.image.height)
-        w = h = static_cast<std::uint32_t>(std::lround((width + height) / 2) + more);
+    for (const std::uint32_t w : may_be ? likely_widths(width) : std::vector<std::uint32_t>()) {
+      const auto h = static_cast<std::uint32_t>(
+          std::lround(static_cast<double>(w) * one.image.height / one.image.width));
       // A whole one is as large as it is.
       if (!one.alignment.cut && (w != turned.width || h != turned.height)) continue;
-      const StagePictures* pictures = sizes.of(w, h);
-      if (pictures == nullptr || sizes.is_own(*pictures)) continue;
-      const Outline outline = outline_of(pictures->right(1));
+      if (std::pair(w, h) == sizes.own_size()) continue;
+      const Outline outline = sizes.outline(w, h);
       // The middle tells best where it lies.
       const auto left = std::lround(at.left + (width - w) / 2),
                  top = std::lround(at.top + (height - h) / 2);
-      const int reach = one.alignment.cut ? 2 : 0;
-      for (int y = -reach; y <= reach; ++y)
-        for (int x = -reach; x <= reach; ++x) {
+      const int reach = one.alignment.cut ? 3 : 0;
+      for (int y = -reach; y <= reach && most < kSure; ++y)
+        for (int x = -reach; x <= reach && most < kSure; ++x) {
           const double share =
-              on_their_sides(outline, turned, jpeg, left + x, top + y, pictures->background());
+              on_their_sides(outline, turned, jpeg, left + x, top + y, sizes.background());
           if (share <= most) continue;
           most = share;
-          found = pictures;
+          found = {w, h};
           best = {one.turn,
                   {static_cast<double>(left + x), static_cast<double>(top + y), 1, 1},
                   one.likeness};
         }
     }
-    if (found != nullptr) {
-      all.push_back(
-          fitted_at(best, submitted, false, found->right(1).width, found->right(1).height));
-      all.back().pictures = found;
+    if (const StagePictures* pictures = sizes.of(found.first, found.second); pictures != nullptr) {
+      all.push_back(fitted_at(best, submitted, false, found.first, found.second));
+      all.back().pictures = pictures;
     }
     all.push_back(std::move(one));
   }
   const auto is_sure = [&](const Fitted& one) {
     if (!one.exact) return false;
-    const StagePictures* pictures =
-        one.pictures != nullptr ? one.pictures : sizes.of(one.image.width, one.image.height);
-    return on_their_sides(outline_of(pictures->right(1)), one.image, jpeg, 0, 0,
-                          pictures->background()) >= (jpeg ? kSureOfJpeg : kSure);
+    return on_their_sides(sizes.outline(one.image.width, one.image.height), one.image, jpeg, 0, 0,
+                          sizes.background()) >= (jpeg ? kSureOfJpeg : kSure);
   };
   if (std::any_of(all.begin(), all.end(), is_sure))
     std::erase_if(all, [](const Fitted& one) { return !one.exact; });

@@ -3,10 +3,12 @@
 // pixel, as those in the scene's own size are.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,11 @@
 namespace zraka {
 
 class StagePictures;
+
+/// The pixels on both sides of a silhouette's outline.
+struct Outline {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> inside, outside;
+};
 
 /// The scene's pictures in other sizes, made when they are first asked for.
 class SizedPictures {
@@ -27,15 +34,21 @@ class SizedPictures {
   /// The scene's own ones where it is its size; nullptr where the size is none of its shape, or
   /// larger than what is kept, or where there are too many already.
   const StagePictures* of(std::uint32_t width, std::uint32_t height) const;
-
+  /// Of the silhouettes in a size, right or with a mistake; empty where of() has none. Sizes that
+  /// are only tried take little memory.
+  Outline outline(std::uint32_t width, std::uint32_t height, Mistake mistake = Mistake::none) const;
   std::pair<std::uint32_t, std::uint32_t> own_size() const;
-  bool is_own(const StagePictures& pictures) const { return &pictures == &own_; }
+
+  std::array<float, 3> background() const;
 
  private:
+  bool may_be(std::uint32_t width, std::uint32_t height) const;
+
   const StagePictures& own_;
   mutable std::mutex mutex_;
   mutable std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<StagePictures>> others_;
   mutable std::uint64_t pixels_ = 0;  ///< of all sizes
+  mutable std::map<std::tuple<std::uint32_t, std::uint32_t, Mistake>, Outline> outlines_;
 };
 
 /// A submission as a whole, turned or not, in the size that a program may have drawn it in: as it

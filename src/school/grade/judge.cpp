@@ -89,7 +89,7 @@ StageGrade judge(const StagePictures& pictures, int stage, const Registered& sub
     if (std::none_of(grade.mistakes.begin(), grade.mistakes.end(), is_turn)) return grade;
     if (!unturned) unturned = std::move(grade);
   }
-  if (unturned) return *unturned;
+  if (unturned && unturned->share_left <= pictures.rubric().share) return *unturned;
   const bool whole = std::none_of(submitted.fitted().begin(), submitted.fitted().end(),
                                   [](const Fitted& fitted) { return fitted.alignment.cut; });
   if (!whole)

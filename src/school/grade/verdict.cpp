@@ -22,7 +22,7 @@ constexpr double kMostOfPixels = 0.25, kMostOfSquares = 0.12, kNext = 2;
 constexpr double kPartly = 0.1;
 /// What an alteration hides is there if it explains this share of what is left in squares, and is
 /// as strong as it should be. What explains less, or is weaker, is a sign of something else.
-constexpr double kHiddenShare = 0.5, kWeakest = 0.6, kStrongest = 1.5;
+constexpr double kHiddenShare = 0.5, kWeakest = 0.75, kStrongest = 1.3;
 constexpr double kSignShare = 0.3, kSignStrength = 0.2;
 /// So few pixels show no mistake for sure.
 constexpr double kHardly = 0.005;
