@@ -55,7 +55,7 @@ struct MistakenSteps : MistakenRules {
     return s.lx[h] * s.nx[h] + s.ly[h] * s.ny[h] + s.lz[h] * s.nz[h] >= 0;
   }
 
-  /// Hits that are not seen from the eye count as lit, though they are blocked.
+  /// Hits that are not seen from the eye count as lit, whatever lies before the light.
   template <class R>
   static void light_later_hits(const FrozenScene<R>& scene, std::size_t shadow_rays,
                                Scratch<R>& scratch) {
@@ -66,7 +66,9 @@ struct MistakenSteps : MistakenRules {
       const R along = -(x * scratch.vx[h] + y * scratch.vy[h] + z * scratch.vz[h]);
       const R squared = x * x + y * y + z * z;
       const bool seen = along > 0 && along * along >= squared * R(0.99999);
-      if (!seen) scratch.lit[h] = R(1);
+      if (seen) continue;
+      scratch.lit[h] = R(1);
+      scratch.sdistance[i] = R(0);  // what is recorded of the ray blocks it nowhere
     }
   }
 
