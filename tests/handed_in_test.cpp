@@ -142,12 +142,14 @@ TEST_F(HandedIn, IsOfTheStageThatItShowsWhateverNumberItHas) {
 
 /// What is wrong is as faint as what scaling leaves, but has the shape of a highlight.
 TEST_F(HandedIn, IsNotRightWhereScalingHidesWhatIsWrong) {
-  for (const outside::Slip slip :
-       {outside::Slip::specular_squared_color, outside::Slip::specular_third})
-    EXPECT_NE(
-        judged(outside::Tracer(scene, 7, slip).picture(), {Alteration::scaled_125_smooth}).verdict,
-        Verdict::right)
-        << outside::kNames[static_cast<std::size_t>(slip)];
+  const Scene faint = third_scene();
+  const Grader of_faint = Grader::create(faint, lab_options()).value();
+  const Image wrong = outside::Tracer(faint, 7, outside::Slip::specular_squared_color).picture();
+  const std::string file = (folder / "refraction.png").string();
+  EXPECT_TRUE(write_png(altered::nearest(wrong, 1.25), file, {8, Transfer::linear}));
+  EXPECT_NE(of_faint.grade(file).stages.front().verdict, Verdict::right);
+  EXPECT_TRUE(write_png(altered::smooth(wrong, 1.25, 1.25), file, {8, Transfer::linear}));
+  EXPECT_NE(of_faint.grade(file).stages.front().verdict, Verdict::right);
 }
 
 TEST_F(HandedIn, IsRightUpsideDownAndTransposedInEitherOrder) {
