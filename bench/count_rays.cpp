@@ -12,6 +12,7 @@
 #include <vector>
 #include <zraka/formats.hpp>
 
+#include "formats/vectors.hpp"
 #include "rivals/scene_writer.hpp"
 
 namespace {
@@ -44,13 +45,6 @@ struct Hit {
   std::uint32_t material = 0;
   bool flat = false;
 };
-
-double length(const Vec3& v) {
-  return std::sqrt(dot(v, v));
-}
-Vec3 unit(const Vec3& v) {
-  return v * (1 / length(v));
-}
 
 /// Whether the shape is hit further than t_min and nearer than the hit, which is then moved there.
 bool meet(const Sphere& s, const Ray& ray, double t_min, Hit& hit) {
