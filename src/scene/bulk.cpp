@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -13,6 +15,8 @@
 #include <stdexcept>
 #include <string_view>
 #include <utility>
+
+#include "core/in_parallel.hpp"
 
 namespace zraka {
 namespace {
@@ -41,6 +45,28 @@ Vec3 point_of(const NumberArray<3>& numbers, std::size_t index) {
   return {p[0], p[1], p[2]};
 }
 
+/// So many items are a piece of work for a thread.
+constexpr std::size_t kPiece = 32768;
+
+/// Whether a number is finite and at least, or more than, `least`.
+bool is_good(double number, double least, bool more) {
+  return std::isfinite(number) && (number > least || (!more && number == least));
+}
+
+template <int N>
+bool are_good(const NumberArray<N>& numbers, double least, bool more) {
+  std::atomic<bool> good{true};
+  in_parallel(
+      numbers.count,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          for (const double number : item_of(numbers, i))
+            if (!is_good(number, least, more)) return good.store(false, std::memory_order_relaxed);
+      },
+      kPiece);
+  return good;
+}
+
 /// What is wrong with the arrays of one kind of shape.
 class Checker {
  public:
@@ -55,10 +81,11 @@ class Checker {
                                   numbers.count, count_));
     if (numbers.count > 0 && numbers.data == nullptr)
       return complain(fmt::format("{} has no memory: its data is a null pointer", name));
+    if (are_good(numbers, least, more)) return;
     for (std::size_t i = 0; i < count_; ++i) {
       const std::array<double, N> item = item_of(numbers, i);
       for (std::size_t k = 0; k < N; ++k) {
-        if (std::isfinite(item[k]) && (item[k] > least || (!more && item[k] == least))) continue;
+        if (is_good(item[k], least, more)) continue;
         const std::string at =
             N == 1 ? fmt::format("{}[{}]", name, i) : fmt::format("{}[{}, {}]", name, i, k);
         return complain(fmt::format("{} is {}: expected {}", at, item[k], expected));
@@ -169,12 +196,23 @@ Result<void> add_checked_spheres(Scene& scene, const SphereArrays& arrays,
 }
 
 std::uint64_t fingerprint(const SphereArrays& arrays) {
+  // A step of Fowler, Noll and Vo's, of 64 bits at once.
+  const auto mixed = [](std::uint64_t sum, std::uint64_t more) {
+    return (sum ^ more) * 0x100000001b3;
+  };
   std::uint64_t sum = 0;
-  const auto add = [&sum](const auto& numbers) {
-    for (std::size_t i = 0; i < numbers.count; ++i)
-      for (const double number : item_of(numbers, i))
-        // A step of Fowler, Noll and Vo's, of 64 bits at once.
-        sum = (sum ^ std::bit_cast<std::uint64_t>(number)) * 0x100000001b3;
+  const auto add = [&](const auto& numbers) {
+    std::vector<std::uint64_t> pieces((numbers.count + kPiece - 1) / kPiece);
+    in_parallel(
+        pieces.size(),
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t p = begin; p < end; ++p)
+            for (std::size_t i = p * kPiece; i < std::min((p + 1) * kPiece, numbers.count); ++i)
+              for (const double number : item_of(numbers, i))
+                pieces[p] = mixed(pieces[p], std::bit_cast<std::uint64_t>(number));
+        },
+        1);
+    for (const std::uint64_t piece : pieces) sum = mixed(sum, piece);
   };
   add(arrays.centers);
   add(arrays.radii);
