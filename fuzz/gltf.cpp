@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "formats/formats.hpp"
+#include "whole_scene.hpp"
 
 namespace {
 
@@ -16,11 +17,6 @@ void check(const zraka::ShapeLists& shapes, const zraka::Scene& scene) {
     if (object.material >= scene.materials.size() && &shapes != &scene) std::abort();
   ZRAKA_PRIMITIVES(ZRAKA_CHECK)
 #undef ZRAKA_CHECK
-  if (!shapes.triangle_uvs.empty() && shapes.triangle_uvs.size() != shapes.triangles.size())
-    std::abort();
-  if (!shapes.smooth_triangle_uvs.empty() &&
-      shapes.smooth_triangle_uvs.size() != shapes.smooth_triangles.size())
-    std::abort();
 }
 
 }  // namespace
@@ -30,17 +26,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   zraka::likeness_to_gltf(text);
   const auto read = zraka::parse_gltf(text, "fuzz");
   if (!read) {
-    if (read.error().empty()) std::abort();
+    zraka::expect_reason(read.error());
     return 0;
   }
   const zraka::Scene& scene = read->scene;
-  for (const zraka::Material& material : scene.materials)
-    for (const zraka::TextureUse& use : material.textures)
-      if (use.texture >= scene.textures.size()) std::abort();
+  zraka::expect_whole(scene);
   for (const zraka::Group& group : scene.groups) check(group, scene);
   for (const auto& instance : scene.instances)
     if (instance.shape.group >= scene.groups.size() || instance.transform > scene.transforms.size())
       std::abort();
-  if (scene.resolution.width == 0 || scene.resolution.height == 0) std::abort();
   return 0;
 }

@@ -8,27 +8,22 @@
 #include <string_view>
 
 #include "formats/formats.hpp"
+#include "whole_scene.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   zraka::likeness_to_tachyon(text);
   const auto read = zraka::parse_tachyon_scene(text, "fuzz");
   if (!read) {
-    if (read.error().empty()) std::abort();
+    zraka::expect_reason(read.error());
     return 0;
   }
   const zraka::Scene& scene = read->scene;
-  for (const zraka::Material& material : scene.materials)
-    for (const zraka::TextureUse& use : material.textures)
-      if (use.texture >= scene.textures.size()) std::abort();
+  zraka::expect_whole(scene);
 #define ZRAKA_CHECK(Type, plural)         \
   for (const auto& object : scene.plural) \
     if (object.material >= scene.materials.size()) std::abort();
   ZRAKA_SHAPES(ZRAKA_CHECK)
 #undef ZRAKA_CHECK
-  if (!scene.smooth_triangle_uvs.empty() &&
-      scene.smooth_triangle_uvs.size() != scene.smooth_triangles.size())
-    std::abort();
-  if (scene.resolution.width == 0 || scene.resolution.height == 0) std::abort();
   return 0;
 }

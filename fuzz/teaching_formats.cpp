@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "formats/formats.hpp"
+#include "whole_scene.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
@@ -16,19 +17,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto read =
       data[0] % 2 == 0 ? zraka::parse_challenge(text, "fuzz") : zraka::parse_cse167(text, "fuzz");
   if (!read) {
-    if (read.error().empty()) std::abort();
+    zraka::expect_reason(read.error());
     return 0;
   }
   const zraka::Scene& scene = read->scene;
+  zraka::expect_whole(scene);
 #define ZRAKA_CHECK(Type, plural)                                                                \
   for (const auto& object : scene.plural)                                                        \
     if (object.material >= scene.materials.size() || object.transform > scene.transforms.size()) \
       std::abort();
   ZRAKA_SHAPES(ZRAKA_CHECK)
 #undef ZRAKA_CHECK
-  for (const zraka::Material& material : scene.materials)
-    for (const zraka::TextureUse& use : material.textures)
-      if (use.texture >= scene.textures.size()) std::abort();
-  if (scene.resolution.width == 0 || scene.resolution.height == 0) std::abort();
   return 0;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/take_word.hpp"
 #include "core/text.hpp"
 #include "formats/formats.hpp"
 #include "formats/placed_shapes.hpp"
@@ -17,13 +18,6 @@
 
 namespace zraka {
 namespace {
-
-std::string_view take_word(std::string_view& line) {
-  line = trimmed(line);
-  const std::string_view word = line.substr(0, line.find_first_of(" \t"));
-  line.remove_prefix(word.size());
-  return word;
-}
 
 class Cse167Reader {
  public:

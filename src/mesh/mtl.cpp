@@ -5,17 +5,11 @@
 #include <cmath>
 #include <optional>
 
+#include "core/take_word.hpp"
 #include "core/text.hpp"
 
 namespace zraka {
 namespace {
-
-std::string_view take_word(std::string_view& line) {
-  line = trimmed(line);
-  const std::string_view word = line.substr(0, line.find_first_of(" \t"));
-  line.remove_prefix(word.size());
-  return word;
-}
 
 std::optional<double> take_number(std::string_view& line) {
   const std::optional<double> value = parse_number(take_word(line));

@@ -141,23 +141,41 @@ bool StageComparison::is_near(const MistakenBy& by, double share) const {
   return mean_square(taken_, picture, fitted_.region) <= share * spread(picture, fitted_.region);
 }
 
-Likeness StageComparison::likeness_of_change(const Image& from, const Image& to) const {
-  const Image first = smoothed(from, close_.blur), second = smoothed(to, close_.blur);
-  double changed = 0, left = 0, both = 0;
-  const Region& r = fitted_.region;
+namespace {
+
+/// From one picture to another.
+struct ChangeOf {
+  const Image &from, &to;
+};
+/// Of two changes, the sums of squares and of products.
+struct Products {
+  double first = 0, second = 0, both = 0;
+};
+
+Products products(const Region& r, const ChangeOf& first, const ChangeOf& second) {
+  Products sums;
   for (std::uint32_t y = r.top; y < r.bottom; ++y) {
-    const float *t = smooth_.row(y), *a = first.row(y), *b = second.row(y);
+    const float *a = first.from.row(y), *b = first.to.row(y);
+    const float *x = second.from.row(y), *t = second.to.row(y);
     float dd = 0, ee = 0, de = 0;
     for (std::size_t i = std::size_t{3} * r.left; i < std::size_t{3} * r.right; ++i) {
-      const float d = b[i] - a[i], e = t[i] - a[i];
+      const float d = b[i] - a[i], e = t[i] - x[i];
       dd += d * d;
       ee += e * e;
       de += d * e;
     }
-    changed += static_cast<double>(dd);
-    left += static_cast<double>(ee);
-    both += static_cast<double>(de);
+    sums.first += static_cast<double>(dd);
+    sums.second += static_cast<double>(ee);
+    sums.both += static_cast<double>(de);
   }
+  return sums;
+}
+
+}  // namespace
+
+Likeness StageComparison::likeness_of_change(const Image& from, const Image& to) const {
+  const Image first = smoothed(from, close_.blur), second = smoothed(to, close_.blur);
+  const auto [changed, left, both] = products(fitted_.region, {first, second}, {first, smooth_});
   if (changed <= 0 || left <= 0) return {};
   return {both / changed, both * both / (changed * left)};
 }
@@ -192,21 +210,7 @@ std::vector<Mistake> StageComparison::likely_besides(const MistakenBy& by, const
     const Mistake mistake = candidate.by.first;
     // Where a picture lies was searched for.
     if (entry_of(mistake).first_stage == 1 || mistake == by.first || mistake == by.second) continue;
-    double changed = 0, left = 0, both = 0;
-    for (std::uint32_t y = r.top; y < r.bottom; ++y) {
-      const float *t = small.row(y), *x = explained.row(y), *a = right.row(y),
-                  *b = candidate.coarse.row(y);
-      float dd = 0, ee = 0, de = 0;
-      for (std::size_t i = std::size_t{3} * r.left; i < std::size_t{3} * r.right; ++i) {
-        const float d = b[i] - a[i], e = t[i] - x[i];
-        dd += d * d;
-        ee += e * e;
-        de += d * e;
-      }
-      changed += static_cast<double>(dd);
-      left += static_cast<double>(ee);
-      both += static_cast<double>(de);
-    }
+    const auto [changed, left, both] = products(r, {right, candidate.coarse}, {explained, small});
     if (changed > 0 && left > 0 && both > 0.15 * changed)
       all.emplace_back(both * both / (changed * left), mistake);
   }
