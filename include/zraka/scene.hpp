@@ -39,9 +39,21 @@ struct Material {
   int priority = 0;
   Dispersion dispersion{};
   bool casts_shadow = true;  ///< else shadow rays go through, whatever it is
+  std::uint32_t cut_group = 0;  ///< of the cuts that concern it; see Cut
   std::vector<TextureUse> textures{};  ///< coefficients that textures give, each at most once
   NormalUse normals{};
   friend bool operator==(const Material&, const Material&) = default;
+};
+
+/// A half-space that is taken away of shapes: where normal·(p - point) is more than 0.
+struct Cut {
+  Vec3 point;
+  Vec3 normal{0, 0, 1};  ///< of any length but 0
+  /// Closed bodies are solid: where they are cut, a cap of their material closes them.
+  bool caps = true;
+  bool eye_only = false;    ///< rays other than those from the eye know nothing of it
+  std::uint32_t group = 0;  ///< 0: of all materials; else of those that have it as cut_group
+  friend bool operator==(const Cut&, const Cut&) = default;
 };
 
 /// A shape and the index of its material in Scene::materials.
@@ -118,6 +130,7 @@ struct Scene : ShapeLists {
   AmbientOcclusion ambient_occlusion{};
   Sky sky{};
   Fog fog{};
+  std::vector<Cut> cuts;
   std::vector<Light> lights;
   std::vector<Material> materials;
   std::vector<Transform> transforms;  ///< that shapes name

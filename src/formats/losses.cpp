@@ -57,6 +57,7 @@ void Losses::surroundings(const Scene& scene) {
   count("the camera's lens", scene.camera.aperture > 0);
   count("the sky's gradient", scene.sky.kind == Sky::Kind::gradient);
   count("the sky's picture", scene.sky.kind == Sky::Kind::image);
+  count("cuts", scene.cuts.size());
   count("fog", scene.fog.kind != Fog::Kind::none);
   count("ambient occlusion", scene.ambient_occlusion.samples > 0);
 }

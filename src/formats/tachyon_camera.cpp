@@ -244,16 +244,29 @@ bool TachyonReader::read_clip_group() {
   const char* const at = in_->place();
   std::size_t planes = 0;
   if (!expect("NUMPLANES") || !count(planes, "NUMPLANES", 8, 1e6)) return false;
-  double ignored = 0;
-  for (std::size_t i = 0; i < 4 * planes; ++i)
-    if (!number(ignored, "a plane")) return false;
-  warn(at, "START_CLIPGROUP is left out: what its planes cut off is drawn");
-  clipped_ = true;
+  cut_group_ = ++cut_groups_;
+  for (std::size_t i = 0; i < planes; ++i) {
+    Cut cut;
+    cut.caps = false;
+    cut.group = cut_group_;
+    double distance = 0;
+    if (!number(cut.normal.x, "a plane") || !number(cut.normal.y, "a plane") ||
+        !number(cut.normal.z, "a plane") || !number(distance, "a plane"))
+      return false;
+    const auto& [x, y, z] = cut.normal;
+    const double square = x * x + y * y + z * z;
+    if (!(square > 0)) {
+      warn(at, "a plane of START_CLIPGROUP has no normal: it cuts nothing off");
+      continue;
+    }
+    cut.point = scaled(cut.normal, distance / square);
+    scene_.cuts.push_back(cut);
+  }
   return true;
 }
 
 bool TachyonReader::end_clip_group() {
-  clipped_ = false;
+  cut_group_ = 0;
   return true;
 }
 

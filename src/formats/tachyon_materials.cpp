@@ -68,6 +68,7 @@ Material TachyonReader::material_from(const TachyonSurface& s) {
   m.specular = s.metal != 0 ? Color{c.r / light.r, c.g / light.g, c.b / light.b}
                             : Color{highlight, highlight, highlight};
   m.shininess = s.shininess;
+  m.cut_group = static_cast<std::uint32_t>(s.cut);
   m.reflection = mirror;
   m.refraction = through;
   if (s.pattern > 0 && mode_ != TachyonMode::lowest) {

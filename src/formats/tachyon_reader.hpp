@@ -24,6 +24,7 @@ struct TachyonSurface {
   double r = 1, g = 1, b = 1;
   double pattern = 0;  ///< one more than an index in the reader's patterns; 0: one colour
   double shines = 0;   ///< 1: a light's own sphere
+  double cut = 0;      ///< the group of cuts that it stands in; 0: none
   friend auto operator<=>(const TachyonSurface&, const TachyonSurface&) = default;
 };
 
@@ -150,7 +151,7 @@ class TachyonReader {
   bool surface_body(TachyonSurface& surface, bool painted);
   bool read_pattern(int function, TachyonSurface& surface);
   bool read_image_pattern(int function, TachyonSurface& surface);
-  std::uint32_t material_of(const TachyonSurface& surface);
+  std::uint32_t material_of(TachyonSurface surface);
 
   // tachyon_materials.cpp: from surfaces to materials, once all is known.
   void set_materials();
@@ -168,7 +169,8 @@ class TachyonReader {
   std::string_view statement_;  ///< the one that is being read
   int includes_ = 0;
   std::uint64_t included_ = 0;
-  bool ended_ = false, clipped_ = false;
+  bool ended_ = false;
+  std::uint32_t cut_group_ = 0, cut_groups_ = 0;  ///< that shapes are read into, and of all
   Scene scene_;
   Diagnostics errors_;
   std::vector<std::pair<Diagnostic, std::uint64_t>> warnings_;  ///< and how often

@@ -42,12 +42,13 @@ std::optional<Transform> plane_map(const Vec3& a, const Vec3& b, const Vec3& cen
 std::size_t TachyonReader::SurfaceHash::operator()(const TachyonSurface& s) const {
   std::size_t hash = 0;
   for (const double v : {s.ambient, s.diffuse, s.mirror, s.opacity, s.highlight, s.shininess,
-                         s.metal, s.r, s.g, s.b, s.pattern, s.shines})
+                         s.metal, s.r, s.g, s.b, s.pattern, s.shines, s.cut})
     hash = hash * 1099511628211u ^ std::hash<double>()(v);
   return hash;
 }
 
-std::uint32_t TachyonReader::material_of(const TachyonSurface& surface) {
+std::uint32_t TachyonReader::material_of(TachyonSurface surface) {
+  surface.cut = cut_group_;
   if (surface == last_) return last_material_;
   const auto [entry, fresh] =
       materials_.try_emplace(surface, static_cast<std::uint32_t>(surfaces_.size()));

@@ -11,6 +11,7 @@
   X(render)               \
   X(texture)              \
   X(scene)                \
+  X(cut)                  \
   X(light)                \
   X(material)             \
   X(group)                \

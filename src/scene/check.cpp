@@ -89,6 +89,13 @@ std::string problem_of(const Light& light) {
   return "";
 }
 
+void check_cuts(const Scene& scene, const auto& complain) {
+  for (std::size_t i = 0; i < scene.cuts.size(); ++i)
+    if (const Cut& cut = scene.cuts[i];
+        !finite(cut.point) || !finite(cut.normal) || cut.normal == Vec3{})
+      complain(fmt::format("cut {}: its normal is 0, or it is not finite", i + 1));
+}
+
 void check_sky(const Scene& scene, const auto& complain) {
   const Sky& sky = scene.sky;
   const AmbientOcclusion& occlusion = scene.ambient_occlusion;
@@ -308,6 +315,7 @@ Diagnostics check(const Scene& scene) {
                          scene.resolution.width, scene.resolution.height, kMaxPixels));
   check_camera(scene.camera, complain);
   check_sky(scene, complain);
+  check_cuts(scene, complain);
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     if (const std::string problem = problem_of(scene.lights[i]); !problem.empty())
       complain(fmt::format("light {} {}", i + 1, problem));

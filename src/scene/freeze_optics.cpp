@@ -56,7 +56,8 @@ OpticalMaterial freeze_material(const Material& m, const Frame& frame) {
           .priority = m.priority,
           .textured_k1 = textured(Coefficient::reflection),
           .textured_k2 = textured(Coefficient::refraction),
-          .casts_shadow = m.casts_shadow};
+          .casts_shadow = m.casts_shadow,
+          .cut_group = m.cut_group};
 }
 
 OpticalLight freeze_light(const Light& light, const Frame& frame) {
@@ -89,6 +90,11 @@ OpticalLight freeze_light(const Light& light, const Frame& frame) {
   out.radius = frame.length(light.radius);
   out.samples = light.is_surface() ? light.samples : 1;
   return out;
+}
+
+OpticalCut freeze_cut(const Cut& cut, const Frame& frame) {
+  const V3<double> normal = unit(vector_of(cut.normal));
+  return {normal, dot(normal, in_frame(frame, cut.point)), cut.caps, cut.eye_only, cut.group};
 }
 
 OpticalSky freeze_sky(const Scene& scene) {
@@ -193,7 +199,7 @@ void find_bounds(const Scene& scene, FrozenOptics& out) {
 }  // namespace
 
 bool has_optics(const Scene& scene) {
-  return scene.ambient_occlusion.samples > 0 || scene.sky.kind != Sky::Kind::flat ||
+  return scene.ambient_occlusion.samples > 0 || !scene.cuts.empty() || scene.sky.kind != Sky::Kind::flat ||
          scene.fog.kind != Fog::Kind::none ||
          std::any_of(scene.lights.begin(), scene.lights.end(),
                      [](const Light& light) {
@@ -216,6 +222,9 @@ std::unique_ptr<StoredOptics> freeze_optics(const Scene& scene, const Profile& p
     out.shadowless = out.shadowless || !m.casts_shadow;
   }
   for (const Light& light : scene.lights) stored->lights.push_back(freeze_light(light, frame));
+  for (const Cut& cut : scene.cuts) stored->cuts.push_back(freeze_cut(cut, frame));
+  out.cuts = stored->cuts.data();
+  out.cut_count = static_cast<int>(stored->cuts.size());
   out.materials = stored->materials.data();
   out.lights = stored->lights.data();
   out.sky = freeze_sky(scene);

@@ -17,6 +17,7 @@ struct StoredOptics {
   FrozenOptics frozen{};
   std::vector<OpticalMaterial> materials;
   std::vector<OpticalLight> lights;
+  std::vector<OpticalCut> cuts;
 };
 
 /// Whether a scene has anything that the lab's engine has not.

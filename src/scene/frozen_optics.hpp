@@ -22,6 +22,7 @@ struct OpticalMaterial {
   /// Textures give these coefficients, for all channels alike.
   bool textured_k1, textured_k2;
   bool casts_shadow;
+  std::uint32_t cut_group;
   bool absorbs() const { return absorption.x > 0 || absorption.y > 0 || absorption.z > 0; }
   bool is_dispersive() const { return dispersion.kind != Dispersion::Kind::none; }
 };
@@ -57,11 +58,20 @@ struct OpticalFog {
   V3<double> ahead;  ///< planar: unit length, along the view
 };
 
+struct OpticalCut {
+  V3<double> normal;  ///< unit length; what is more than `distance` along it is taken away
+  double distance;
+  bool caps, eye_only;
+  std::uint32_t group;
+};
+
 struct FrozenOptics {
   const OpticalMaterial* materials;
   const OpticalLight* lights;  ///< as many as FrozenScene::lights, which has their colours
   OpticalSky sky;
   OpticalFog fog;
+  const OpticalCut* cuts;
+  int cut_count;
   int occlusion_samples;      ///< 0: none
   double occlusion_distance;  ///< infinite: the whole scene
   V3<double> occlusion_color;

@@ -2,9 +2,11 @@
 #include "engine/general/general.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "engine/coefficients.hpp"
+#include "engine/general/cuts.hpp"
 #include "engine/general/sky.hpp"
 #include "math/elementary.hpp"
 #include "sampling/hash.hpp"
@@ -111,45 +113,74 @@ bool passes_unseen(const Batch<R>& batch, const HitState<R>& hit, std::size_t h,
   return true;
 }
 
-/// Where bodies have priorities, rays go on through surfaces that another body's inside hides.
+/// Whether a ray goes on through what it has hit: what is cut away, and surfaces that another body's
+/// inside hides where bodies have priorities.
+template <class R>
+bool is_hidden(const Batch<R>& batch, std::size_t h) {
+  RayState<R>& ray = batch.ray_of(h);
+  if (is_cut(batch.optics(), batch.material(h), batch.point(h), ray.kind == RayKind::camera))
+    return true;
+  return batch.optics().nested && passes_unseen(batch, batch.hits[h], h, ray.inside);
+}
+
+/// A ray that goes on through a hit: from behind it, or from where something is left.
+struct Onward {
+  V3<double> origin, direction;
+  double skipped = 0;  ///< from behind the hit to the origin; infinite: nothing is left on its way
+};
+template <class R>
+Onward onward(const Batch<R>& batch, std::size_t h) {
+  Onward ray{batch.point(h) - batch.normal(h) * batch.offset(h), -batch.view(h)};
+  ray.skipped = way_out(batch.optics(), ray.origin, ray.direction,
+                        batch.ray_of(h).kind == RayKind::camera);
+  if (ray.skipped > 0 && std::isfinite(ray.skipped))
+    ray.origin = ray.origin + ray.direction * ray.skipped;
+  return ray;
+}
+
+/// Lets rays go on through what is hidden.
 template <class R>
 void pass_hidden_surfaces(const Batch<R>& batch) {
-  constexpr int kMostPassed = 64;
+  // Cuts of some materials alone leave the others' surfaces, one after the other.
+  const int most = batch.optics().cut_count > 0 ? 4096 : 64;
   Level<R>& level = batch.level;
   Level<R>& through = batch.general.through;
   Scratch<R>& found = batch.general.through_scratch;
   std::vector<std::int32_t> hidden;
   for (std::size_t h = 0; h < batch.hit_count(); ++h)
-    if (passes_unseen(batch, batch.hits[h], h, batch.ray_of(h).inside))
-      hidden.push_back(static_cast<std::int32_t>(h));
-  for (int pass = 0; !hidden.empty() && pass < kMostPassed; ++pass) {
+    if (is_hidden(batch, h)) hidden.push_back(static_cast<std::int32_t>(h));
+  for (int pass = 0; !hidden.empty() && pass < most; ++pass) {
     std::vector<std::int32_t> still;
     const auto room = static_cast<std::size_t>(batch.general.room);
     for (std::size_t first = 0; first < hidden.size(); first += room) {
       const std::size_t n = std::min(hidden.size() - first, room);
+      std::vector<bool> meets(n, false);
+      std::vector<double> skipped(n);
       for (std::size_t i = 0; i < n; ++i) {
-        const auto h = static_cast<std::size_t>(hidden[first + i]);
-        const V3<double> direction = -batch.view(h);
-        const V3<double> origin = batch.point(h) - batch.normal(h) * batch.offset(h);
-        through.rays.ox[i] = static_cast<R>(origin.x), through.rays.oy[i] = static_cast<R>(origin.y);
-        through.rays.oz[i] = static_cast<R>(origin.z), through.rays.dx[i] = static_cast<R>(direction.x);
-        through.rays.dy[i] = static_cast<R>(direction.y), through.rays.dz[i] = static_cast<R>(direction.z);
+        const Onward ray = onward(batch, static_cast<std::size_t>(hidden[first + i]));
+        skipped[i] = ray.skipped;
+        through.rays.ox[i] = static_cast<R>(ray.origin.x);
+        through.rays.oy[i] = static_cast<R>(ray.origin.y);
+        through.rays.oz[i] = static_cast<R>(ray.origin.z);
+        through.rays.dx[i] = static_cast<R>(ray.direction.x);
+        through.rays.dy[i] = static_cast<R>(ray.direction.y);
+        through.rays.dz[i] = static_cast<R>(ray.direction.z);
       }
       through.ray_count = through.in_batch = static_cast<std::int32_t>(n);
       through.done = 0;
       batch.services.find_hits(batch.scene, through, found);
-      std::vector<bool> meets(n, false);
       for (std::size_t i = 0; i < static_cast<std::size_t>(through.hit_count); ++i) {
         const auto ray = static_cast<std::size_t>(through.hits.ray[i]);
+        if (std::isinf(skipped[ray])) continue;
         meets[ray] = true;
         const auto h = static_cast<std::size_t>(hidden[first + ray]);
         const std::int32_t of = level.hits.ray[h];
-        batch.scratch.t[of] += found.t[ray];
         batch.scratch.slot[of] = found.slot[ray];
         copy_hit(found, i, batch.scratch, h);
+        batch.scratch.t[of] += found.t[ray];
+        if (skipped[ray] > 0) batch.scratch.t[of] += static_cast<R>(skipped[ray]);
         batch.hits[h].body = body_of(batch.scene, found.paths[i], found.material[i]);
-        if (passes_unseen(batch, batch.hits[h], h, batch.ray_of(h).inside))
-          still.push_back(static_cast<std::int32_t>(h));
+        if (is_hidden(batch, h)) still.push_back(static_cast<std::int32_t>(h));
       }
       for (std::size_t i = 0; i < n; ++i)
         if (!meets[i]) batch.scratch.slot[level.hits.ray[hidden[first + i]]] = -1;
@@ -181,7 +212,7 @@ void find_hits(const Batch<R>& batch) {
   for (std::size_t h = 0; wants_bodies && h < batch.hit_count(); ++h)
     batch.hits[h].body =
         body_of(batch.scene, batch.scratch.paths[h], batch.scratch.material[h]);
-  if (batch.optics().nested) pass_hidden_surfaces(batch);
+  if (batch.optics().nested || batch.optics().cut_count > 0) pass_hidden_surfaces(batch);
   batch.counts.hits += batch.hit_count();
 
   const bool plain = batch.optics().sky.kind == Sky::Kind::flat;
@@ -203,6 +234,7 @@ void find_hits(const Batch<R>& batch) {
     hit.body = body;
     hit.material = batch.scratch.material[h];
     hit.enclosing = wants_bodies && has_inside(batch.scene, batch.scratch.paths[h]);
+    hit.cap = batch.optics().cut_count > 0 && put_cap(batch, h);
     hit.medium = -1;
     hit.transmittance = {R(1), R(1), R(1)};
     const std::int32_t of = level.hits.ray[h];

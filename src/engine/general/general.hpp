@@ -74,6 +74,7 @@ struct HitState {
   std::int32_t first_child, child_count;
   std::uint64_t body;
   bool enclosing;  ///< has an inside that rays can be in
+  bool cap;        ///< where a cut has opened its body
   R clear;         ///< what fog leaves of its colour over that length
   V3<R> beyond_reflected, beyond_refracted;  ///< the sky's, in place of children that are too deep
   // For explanations.

@@ -13,7 +13,7 @@ template <class R>
 void settle(const Batch<R>& batch) {
   GeneralWorkspace<R>& general = batch.general;
   const Scratch<R>& scratch = batch.scratch;
-  if (may_be_passed(batch) || batch.optics().shadowless) {
+  if (may_go_on(batch)) {
     general.of_waiting.assign(general.waiting, Waiting<R>{});
     trace_waiting(batch);
     for (std::size_t i = 0; i < general.waiting; ++i) {
@@ -68,7 +68,7 @@ void find_occlusion(const Batch<R>& batch) {
   const V3<R> color = narrowed<R>(optics.occlusion_color);
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     V3<R>& sum = general.occlusion[h];
-    if (!may_be_passed(batch) && !batch.optics().shadowless) sum = {sum.x, sum.x, sum.x};
+    if (!may_go_on(batch)) sum = {sum.x, sum.x, sum.x};
     sum = sum * (R(1) / static_cast<R>(general.samples[h])) * color;
   }
 }

@@ -2,6 +2,7 @@
 #include "engine/general/shadows.hpp"
 
 #include "engine/coefficients.hpp"
+#include "engine/general/cuts.hpp"
 
 namespace zraka::general {
 namespace {
@@ -80,6 +81,31 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
         const auto h = static_cast<std::size_t>(hit_of[i]);
         const OpticalMaterial& material = materials[scratch.material[h]];
         const R* const row = scratch.coefficients + std::ptrdiff_t{scratch.row[h]} * kMaterialReals;
+        const auto go_on = [&] {
+          const V3<double> normal = three(scratch.nx, scratch.ny, scratch.nz, h);
+          walk.origin = three(scratch.px, scratch.py, scratch.pz, h) -
+                        normal * static_cast<double>(scratch.offset[h]);
+          walk.left -= t;
+          going_on.push_back(std::move(walk));
+        };
+        // What the eye alone sees cut open lies in the light all the same.
+        const auto of = static_cast<std::size_t>(batch.scratch.shadow_ray_hit[walk.entry]);
+        if (is_cut(batch.optics(), material, three(scratch.px, scratch.py, scratch.pz, h),
+                   batch.hits[of].cap)) {
+          walk.walked += t;
+          go_on();
+          Walk& on = going_on.back();
+          const double far =
+              way_out(batch.optics(), on.origin, on.direction, batch.hits[of].cap);
+          if (!(far < on.left)) {
+            finish(batch, on, filter);
+            going_on.pop_back();
+            continue;
+          }
+          on.origin = on.origin + on.direction * far;
+          on.walked += far, on.left -= far;
+          continue;
+        }
         const bool leaves = scratch.inside[h] > R(0);
         const std::uint64_t body = body_of(batch.scene, scratch.paths[h], scratch.material[h]);
         const V3<R> share = !material.casts_shadow ? V3<R>{R(1), R(1), R(1)}
@@ -127,11 +153,7 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
           walk.inside.leave(body);
         else if (encloses)
           walk.inside.enter({body, scratch.material[h]});
-        const V3<double> normal = three(scratch.nx, scratch.ny, scratch.nz, h);
-        walk.origin = three(scratch.px, scratch.py, scratch.pz, h) -
-                      normal * static_cast<double>(scratch.offset[h]);
-        walk.left -= t;
-        going_on.push_back(std::move(walk));
+        go_on();
       }
     }
     walks.swap(going_on);
@@ -176,7 +198,7 @@ void trace_waiting(const Batch<R>& batch) {
   std::vector<Walk> walks;
   for (std::size_t entry = 0; entry < general.waiting; ++entry) {
     if (scratch.blocked[entry] == 0 && !starts_in_absorber(batch, entry)) continue;
-    if (!may_be_passed(batch) && !batch.optics().shadowless) {
+    if (!may_go_on(batch)) {
       general.filter[entry] = {R(0), R(0), R(0)};
       // Whoever explains wants to know what the light is blocked by.
       if (general.listener == nullptr) continue;

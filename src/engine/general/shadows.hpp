@@ -29,6 +29,13 @@ bool may_be_passed(const Batch<R>& batch) {
   return batch.settings.transparent_shadows;
 }
 
+/// Whether what a shadow ray meets may let it on: transparent bodies, those that cast no shadow,
+/// and what is cut away.
+template <class R>
+bool may_go_on(const Batch<R>& batch) {
+  return may_be_passed(batch) || batch.optics().shadowless || batch.optics().cut_count > 0;
+}
+
 /// As many samples as a ray's weight in the pixel is worth: what counts little may be noisier.
 template <class R>
 std::int32_t samples_for(std::int32_t of_light, const RayState<R>& ray) {

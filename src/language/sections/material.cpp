@@ -175,6 +175,9 @@ constexpr Field kFields[] = {
                                   .unit = Unit::name_of_glass}),
     field<&Material::casts_shadow, MaterialEntry>(
         "casts_shadow", {.text = "whether it stands in the way of light"}),
+    field<&Material::cut_group, MaterialEntry>(
+        "cut_group", {.text = "the group of the cuts that concern it, besides those of everything",
+                      .range = from_to(0, 4294967295.0)}),
     table_field<&MaterialEntry::bump, kBump>(
         "bump", {.text = "a texture that bends the normal by its height"}),
     table_field<&MaterialEntry::normal_map, kNormalMap>("normal_map",
