@@ -107,6 +107,7 @@ void add_explain(Command& program) {
                                     "say why a pixel has its colour: its ray tree with every term");
   arguments->add_to(app);
   arguments->sampling.add_to(app);
+  arguments->look.add_to(app);
   add_mistake_to(app, arguments->mistake);
   constexpr auto kWhole = "a whole number, 0 or more";
   const auto is_whole = [](const std::string& word) { return coordinate(word).has_value(); };
@@ -131,6 +132,7 @@ void add_explain(Command& program) {
       "  zraka explain input.txt 250 300 --stage shadows --lang hr\n"
       "  zraka explain input.txt 250 300 --format json | jq .tree.hit.lights\n"
       "  zraka explain input.txt 250 300 -o pixel.html --rays rays.gltf");
+  app.check([arguments] { return arguments->look.problem(); });
   app.action([arguments] { return run(*arguments); });
 }
 

@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "core/json.hpp"
 #include "core/text.hpp"
+#include "legend.hpp"
 #include "progress.hpp"
 #include "render_options.hpp"
 #include "terminal.hpp"
@@ -23,7 +24,7 @@ struct Arguments : RenderArguments {
   std::string output;
   std::string stage = "refraction", mistake;
   int bits = 0;  // 0: the format's own
-  bool transparent = false;
+  bool transparent = false, legend = false;
   std::string layers;              // names with commas between them, or "all"
   std::string tone_map;            // "": clamp
   double exposure = 0, white = 0;  // 0: the curve's own
@@ -132,6 +133,11 @@ std::string problem_of(const Arguments& arguments) {
     return "--white is for --tone-map reinhard and filmic";
   if (arguments.jpeg_quality != 0 && format->name != "JPEG")
     return only("--jpeg-quality", [](const PictureFormat& other) { return other.name == "JPEG"; });
+  if (arguments.legend && (arguments.transparent || !arguments.layers.empty()))
+    return fmt::format("--legend makes the picture wider: it does not go with {}",
+                       arguments.transparent ? "--transparent" : "--layers");
+  if (!arguments.mistake.empty() && arguments.look.outlines > 0)
+    return "--outlines are those of the right picture: they do not go with --mistake";
   if (!arguments.mistake.empty() && (arguments.transparent || !arguments.layers.empty()))
     return fmt::format("{} shows the right picture: it does not go with --mistake",
                        arguments.transparent ? "--transparent" : "--layers");
@@ -144,8 +150,14 @@ int run(const Arguments& arguments) {
   };
   Seconds seconds;
   const auto start = std::chrono::steady_clock::now();
-  Result<Scene> scene = arguments.load({arguments.output});
+  std::vector<ColorLegend> legends;
+  Result<Scene> scene = arguments.load({arguments.output}, {}, &legends);
   if (!scene) return fail(scene.error());
+  if (arguments.legend && legends.empty())
+    return fail(failure(arguments.scene, "there are no colours that --legend could explain",
+                        "particles have some with --color-by COLUMN, or in a scene with color_by")
+                    .value());
+  const Color background = scene->background;
   seconds.load = since(start);
 
   RenderOptions options = arguments.options(*scene);
@@ -163,6 +175,12 @@ int run(const Arguments& arguments) {
   }
   if (!rendering) return fail(rendering.error());
 
+  if (arguments.legend) {
+    Result<Image> explained =
+        with_legends(rendering->image, legends, background, options.profile.transfer);
+    if (!explained) return fail(explained.error());
+    rendering->image = std::move(*explained);
+  }
   std::future<std::string> hash;  // takes longer than writing, so it begins before
   if (!arguments.stats.empty())
     hash = std::async(options.threads == 1 ? std::launch::deferred : std::launch::async,
@@ -188,6 +206,9 @@ void add_render(Command& program) {
   arguments->add_to(app);
   arguments->sampling.add_to(app);
   arguments->sampling.add_crop_to(app);
+  arguments->look.add_to(app);
+  app.add("--legend", &arguments->legend,
+          "beside the picture, which becomes wider, what the colours of particles mean");
   add_mistake_to(app, arguments->mistake);
   check_picture_name(
       app.add("-o,--output", &arguments->output,
@@ -237,10 +258,12 @@ void add_render(Command& program) {
       "  zraka render scene.toml -o edges.png --adaptive 4,64,0.05 --filter mitchell --stats\n"
       "  zraka render scene.toml -o part.png --samples 16 --crop 100,80,64,64\n"
       "  zraka render input.txt -o cut-out.png --transparent\n"
+      "  zraka render run.lammpstrj -o half.png --cut 0,0,1,12 --color-by c_pe --legend\n"
       "  zraka render input.txt -o layers.exr --transparent --layers depth,normal,object-id");
   app.check([arguments] {
-    const std::string problem = arguments->sampling.problem();
-    return problem.empty() ? problem_of(*arguments) : problem;
+    for (const std::string& problem : {arguments->sampling.problem(), arguments->look.problem()})
+      if (!problem.empty()) return problem;
+    return problem_of(*arguments);
   });
   app.action([arguments] { return run(*arguments); });
 }

@@ -131,7 +131,8 @@ void add_stage_to(Command& command, std::string& stage) {
 }
 
 Result<Scene> RenderArguments::load(const std::vector<std::string>& outputs,
-                                    std::vector<std::string> other_inputs) const {
+                                    std::vector<std::string> other_inputs,
+                                    std::vector<ColorLegend>* legends) const {
   other_inputs.push_back(scene);
   if (const Result<void> good = check_outputs(other_inputs, outputs); !good)
     return tl::make_unexpected(good.error());
@@ -141,7 +142,9 @@ Result<Scene> RenderArguments::load(const std::vector<std::string>& outputs,
     [[maybe_unused]] static const auto* const limit = new tbb::global_control(
         tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   }
-  Result<ReadScene> read = read_scene(scene, files);
+  ReadOptions reading = files;
+  look.apply_to(reading);
+  Result<ReadScene> read = read_scene(scene, reading);
   if (!read) return tl::make_unexpected(read.error());
   if (!quiet) show(read->warnings);
   Scene& loaded = read->scene;
@@ -161,6 +164,9 @@ Result<Scene> RenderArguments::load(const std::vector<std::string>& outputs,
         static_cast<std::uint32_t>(std::clamp(std::round(height * aspect), 1.0, 4e9)), height};
   }
   sampling.apply_to(loaded.defaults);
+  if (const Result<void> good = look.apply_to(loaded, scene); !good)
+    return tl::make_unexpected(good.error());
+  if (legends != nullptr) *legends = std::move(read->legends);
   return std::move(loaded);
 }
 
@@ -183,6 +189,7 @@ RenderOptions RenderArguments::options(const Scene& loaded) const {
   options.min_contribution = loaded.defaults.min_contribution;
   options.wavelengths = loaded.defaults.wavelengths;
   options.sampling = loaded.defaults.sampling;
+  options.outlines = look.outlines;
   options.threads = threads;
   options.bind_threads = true;
   options.tile = tile;

@@ -9,6 +9,7 @@
 #include <zraka/school/school.hpp>
 
 #include "command.hpp"
+#include "look_options.hpp"
 #include "sampling_options.hpp"
 
 namespace zraka::app {
@@ -26,13 +27,15 @@ struct RenderArguments {
   bool quiet = false;
   ReadOptions files;
   SamplingArguments sampling;  // for commands that add them
+  LookArguments look;          // the same
 
   void add_to(Command& command, Needs scene_needed = Needs::always);
 
   /// The scene with the size and the sampling that were asked for; its warnings have been shown.
   /// Fails where an output would be written over what is read, or over another output.
   Result<Scene> load(const std::vector<std::string>& outputs,
-                     std::vector<std::string> other_inputs = {}) const;
+                     std::vector<std::string> other_inputs = {},
+                     std::vector<ColorLegend>* legends = nullptr) const;
   /// The profile asked for, or the scene's.
   ProfileName profile_name(const Scene& scene) const;
   /// All but progress and crop; the terms are those of all stages.

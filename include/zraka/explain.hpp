@@ -139,10 +139,17 @@ struct NamedBody {
   ExplainedPath path{};
 };
 
+/// A hit on the cap that a cut has made of what it has opened.
+struct ExplainedCap {
+  std::uint32_t cut = 0;  ///< index in Scene::cuts
+  bool eye_only = false;  ///< only rays from the eye see it
+};
+
 struct ExplainedHit {
   NamedShape shape;      ///< of the scene; an instance where it stands in a group
   ExplainedPath path{};  ///< from there on
   std::optional<ExplainedCrossings> crossings{};  ///< of a CSG shape
+  std::optional<ExplainedCap> cap{};              ///< none: it is the shape's own surface
   double distance = 0;                            ///< from the ray's origin
   Vec3 point;
   /// From the shape's own space to the world, where that has one; with all its instances'.
@@ -229,7 +236,8 @@ struct Explanation {
   /// One; or four where the pixel is the mean of its corners: upper left, upper right, lower left,
   /// lower right.
   std::vector<RayTree> trees{};
-  Float3 color{};  ///< the picture's, to the bit
+  Float3 color{};  ///< the picture's, to the bit, before outlines
+  bool outlined = false;  ///< an outline of RenderOptions::outlines goes over it: it is black
 };
 
 /// Pixels around one, as the picture has them.

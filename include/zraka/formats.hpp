@@ -11,10 +11,19 @@
 
 namespace zraka {
 
+/// What the colours of particles mean that a column of numbers has coloured.
+struct ColorLegend {
+  std::string title;                  ///< the column's name
+  double low = 0, high = 0;           ///< the numbers of the first and of the last colour
+  std::vector<std::uint32_t> colors;  ///< sRGB as 0xRRGGBB, evenly from low to high
+  friend bool operator==(const ColorLegend&, const ColorLegend&) = default;
+};
+
 /// A scene and what its reader had to remark; warnings only, for errors make the reading fail.
 struct ReadScene {
   Scene scene;
   Diagnostics warnings;
+  std::vector<ColorLegend> legends{};
 };
 
 /// What the reader of a scene may do with names of other files in it: pictures, meshes.
@@ -23,6 +32,10 @@ struct ReadOptions {
   /// parse_scene() then reads no files.
   std::optional<std::string> folder{};
   bool allow_outside = false;  ///< whether names may lead out of the folder
+  /// Of a file of particles: element, or the column whose numbers become colours; "": the file's
+  /// own colours, else by element. A scene says that for itself.
+  std::string color_by{};
+  std::string color_map{};  ///< viridis if nothing is said
 };
 
 /// Reads a scene file. Fails with all the problems of the file at once.

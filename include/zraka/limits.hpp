@@ -20,6 +20,8 @@ inline constexpr int kMaxSamples = 65536;
 inline constexpr int kMaxGrid = 256;  ///< whose square they are
 /// The largest side of a tile, in pixels.
 inline constexpr int kMaxTile = 64;
+/// The widest outlines, in pixels.
+inline constexpr int kMaxOutlines = 64;
 /// Instances of groups that hold instances: how many deep.
 inline constexpr int kMostNested = 32;
 /// More threads than any machine has, so a mistake.

@@ -89,6 +89,9 @@ struct RenderOptions {
   /// No light comes from where a ray from the eye hits nothing: the picture's colours are
   /// multiplied by channel A of its layers, which says how much of each pixel is covered.
   bool transparent = false;
+  /// Width in pixels, 0…kMaxOutlines, of black lines over what has been rendered, where one ray
+  /// through each pixel finds another object, another depth or an edge next to it. 0: none.
+  int outlines = 0;
   int threads = 0;  ///< 0: as many as the machine has
   /// May each thread, the caller's too, be bound to a processor while it works? Faster in a program
   /// that does nothing else meanwhile.

@@ -10,6 +10,7 @@
 #include "explain/tile_listeners.hpp"
 #include "explain/tree_reader.hpp"
 #include "render/corners.hpp"
+#include "render/outlines.hpp"
 #include "render/workspace.hpp"
 
 namespace zraka {
@@ -58,6 +59,22 @@ std::uint32_t samples_of(const Sampling& sampling) {
   return sampling.kind == Sampling::Kind::grid ? count * count : count;
 }
 
+/// Whether an outline goes over a pixel.
+bool is_outlined(const Stand& stand, std::uint32_t x, std::uint32_t y) {
+  if (stand.options.outlines == 0 || stand.variation.kernel != nullptr) return false;
+  const TileRect pixel{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), 1, 1};
+  const PictureJob<float> job{stand.frozen(),
+                              *stand.kernel,
+                              stand.settings,
+                              stand.options,
+                              stand.scene.resolution,
+                              pixel,
+                              std::min(stand.options.outlines + 1, kMaxTile),
+                              1};
+  std::vector<bool> lines;
+  return find_outlines<float>({&stand.scene, stand.prepared, job}, pixel, lines) && lines[0];
+}
+
 /// All of a pixel: one tree, or those of its four corners and their mean; or one sample.
 Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_t y,
                                std::uint32_t sample) {
@@ -95,6 +112,7 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
       const auto corner = [&](std::size_t i) { return explanation.trees[i].rays[0].color[c]; };
       explanation.color[c] = mean_of_corners(corner(0), corner(1), corner(2), corner(3));
     }
+  explanation.outlined = is_outlined(stand, x, y);
   if (!stand.variation.rules.key.empty()) explanation.varied = stand.variation.rules;
   if (stand.variation.vary_image) {
     Image pixel(1, 1);
@@ -186,7 +204,7 @@ Neighbourhood Explainer::around(std::uint32_t x, std::uint32_t y, std::uint32_t 
   };
   const std::uint32_t corner = stand.options.profile.average_corners ? 1 : 0;
   Neighbourhood found{start(x, size.width), start(y, size.height), {}};
-  if (!stand.plain()) {
+  if (!stand.plain() || stand.options.outlines > 0) {
     RenderOptions options = stand.options;
     options.crop = {found.left, found.top, std::min(side, size.width), std::min(side, size.height)};
     options.progress = {};

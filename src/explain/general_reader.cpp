@@ -141,6 +141,13 @@ ExplainedHit GeneralReader::surface(const Level<float>& level, const Scratch<flo
               settings_.terms.reflection);
   hit.refracted.absence = absence(hit.k2, settings_.terms.refraction);
   hit_reader_.read(level, s, h, ray, hit);
+  if (state.cap >= 0) {
+    hit.cap = {static_cast<std::uint32_t>(state.cap),
+               stand_.frozen().optics->cuts[state.cap].eye_only};
+    // Those are of the surface behind it.
+    hit.path.member.reset();
+    hit.crossings.reset();
+  }
   if (state.medium >= 0 && stand_.frozen().optics->materials[state.medium].absorbs()) {
     const auto index = static_cast<std::uint32_t>(state.medium);
     const Color& a = stand_.scene.materials[index].absorption;

@@ -134,6 +134,8 @@ void add_optics(const ExplainedHit& hit, Json& json) {
   if (!is_grey(hit.reflection)) material["k1_rgb"] = number_json(hit.reflection);
   if (!is_grey(hit.refraction)) material["k2_rgb"] = number_json(hit.refraction);
   if (hit.highlight == Highlight::blinn) material["highlight"] = "blinn";
+  if (hit.cap)
+    json["cap"] = {{"cut", std::uint64_t{hit.cap->cut} + 1}, {"eye_only", hit.cap->eye_only}};
   if (hit.medium) {
     json["medium"] = {{"material", std::uint64_t{hit.medium->material} + 1}};
     if (!hit.medium->name.empty()) json["medium"]["name"] = hit.medium->name;
@@ -281,7 +283,9 @@ std::string to_json(const Explanation& e, const std::string& scene, const std::s
   add_settings(e, json);
   json["color"] = number_json(e.color);
   json["bytes"] = Json::array();
-  for (const float c : e.color) json["bytes"].push_back(quantize(c, e.profile.transfer, 8));
+  for (const float c : e.color)
+    json["bytes"].push_back(e.outlined ? 0 : quantize(c, e.profile.transfer, 8));
+  if (e.outlined) json["outlined"] = true;
   json["words"] = words;
   json["tree"] = tree_json(e);
   std::string text;

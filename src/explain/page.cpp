@@ -38,11 +38,14 @@ void Page::head() {
   if (e_.varied)
     put("<p class=\"unlit\">{}</p>\n",
         say(Word::with_mistake, text_of(options_.language, *e_.varied)));
-  const auto byte = [&](std::size_t c) { return quantize(e_.color[c], e_.profile.transfer, 8); };
+  const auto byte = [&](std::size_t c) {
+    return e_.outlined ? 0 : quantize(e_.color[c], e_.profile.transfer, 8);
+  };
   put("<div class=\"answer\">{}<div><p class=\"sentence\">{}</p>\n"
       "<p class=\"numbers\">{}: {}; {} ({}, {}, {})</p></div></div>\n</header>\n",
       swatch(e_.color), html_text(in_words(options_.language, e_)), say(color_of_what(e_)),
       short_vector(e_.color), say(Word::color_in_file), byte(0), byte(1), byte(2));
+  if (e_.outlined) put("<p class=\"unlit\">{}</p>\n", say(Word::outlined));
 }
 
 /// The picture with a ring around the pixel, and the pixel among its neighbours.

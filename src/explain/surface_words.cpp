@@ -84,6 +84,9 @@ std::string own_line(Language language, const OwnPlace& own) {
 
 std::vector<std::string> place_lines(Language language, const ExplainedHit& hit) {
   std::vector<std::string> lines;
+  if (hit.cap)
+    lines.push_back(say(language, hit.cap->eye_only ? Word::cap_of_eye_cut : Word::cap_of_cut,
+                        std::uint64_t{hit.cap->cut} + 1));
   if (hit.path.inner) lines.push_back(way_line(language, hit.path));
   if (hit.path.member) lines.push_back(member_line(language, *hit.path.member));
   if (hit.crossings) add_crossings(language, *hit.crossings, lines);

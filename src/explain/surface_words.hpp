@@ -11,7 +11,7 @@
 
 namespace zraka {
 
-/// The way to the shape, through the members of a CSG shape, and into its own space; no lines for
+/// Whether it is a cap; the way to the shape, through the members of a CSG shape, and into its own space; no lines for
 /// most hits.
 std::vector<std::string> place_lines(Language language, const ExplainedHit& hit);
 

@@ -314,10 +314,13 @@ std::string Writer::write() {
   }
   if (e_.trees.size() > 1)
     line("", fmt::format("{}: {}", say(Word::mean_of_corners), short_vector(e_.color)));
-  const auto byte = [&](std::size_t c) { return quantize(e_.color[c], e_.profile.transfer, 8); };
+  const auto byte = [&](std::size_t c) {
+    return e_.outlined ? 0 : quantize(e_.color[c], e_.profile.transfer, 8);
+  };
   line("", fmt::format("{}{}: {}, {} ({}, {}, {})", swatch(e_.color), say(color_of_what(e_)),
                        in(Style::result, short_vector(e_.color)), say(Word::color_in_file), byte(0),
                        byte(1), byte(2)));
+  if (e_.outlined) line("", say(Word::outlined));
   if (!options_.sums_only) line("", in(Style::strong, in_words(options_.language, e_)));
   return std::move(out_);
 }

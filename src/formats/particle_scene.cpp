@@ -85,15 +85,27 @@ Likeness likeness_to_particles(std::string_view text) {
 }
 
 Result<ReadScene> parse_particle_scene(std::string_view bytes, const std::string& name,
-                                       const ReadOptions&) {
-  Result<Particles> particles = parse_particles(bytes, name);
+                                       const ReadOptions& options) {
+  ParticleStyle style;
+  style.color_by = options.color_by;
+  if (!options.color_map.empty()) {
+    const auto* const map = std::find(std::begin(kColorMapNames), std::end(kColorMapNames),
+                                      std::string_view(options.color_map));
+    if (map == std::end(kColorMapNames))
+      return failure(name, fmt::format("no map of colours is called '{}'", options.color_map),
+                     fmt::format("known are {}", fmt::join(kColorMapNames, ", ")));
+    style.color_map = static_cast<ColorMap>(map - std::begin(kColorMapNames));
+  }
+  Result<Particles> particles =
+      parse_particles(bytes, name, {has_column(style) ? style.color_by : "", 1});
   if (!particles) return tl::make_unexpected(particles.error());
   const bool has_more = particles->has_more;
   ReadScene read;
   Scene& scene = read.scene;
-  const Result<Diagnostics> notes = add_particles(std::move(*particles), ParticleStyle{},
-                                                  particle_material(), 0, name, scene, scene);
-  if (!notes) return tl::make_unexpected(notes.error());
+  Result<AddedParticles> added = add_particles(std::move(*particles), style, particle_material(),
+                                               0, name, scene, scene);
+  if (!added) return tl::make_unexpected(added.error());
+  if (added->legend) read.legends.push_back(std::move(*added->legend));
   const Bounds box = bounds_of(scene);
   const Vec3 middle = (box.lower + box.upper) * 0.5;
   const ViewDirection direction = direction_of(box);
@@ -104,7 +116,7 @@ Result<ReadScene> parse_particle_scene(std::string_view bytes, const std::string
   scene.ambient_light = {0.22, 0.22, 0.22};
   scene.background = {0.006, 0.007, 0.01};
   scene.defaults.max_depth = 0;
-  read.warnings = *notes;
+  read.warnings = std::move(added->notes);
   std::string message = fmt::format("{} particles; light, camera and colours are chosen here",
                                     grouped(scene.spheres.size() + scene.ellipsoids.size()));
   if (has_more) message += ", and of several frames the first is drawn";

@@ -74,6 +74,7 @@ Result<ReadScene> parse_toml(std::string_view text, const std::string& name,
   Diagnostics all = problems.finish();
   if (!good) return tl::make_unexpected(std::move(all));
   read.warnings = std::move(all);
+  read.legends = std::move(input.legends);
   return read;
 }
 

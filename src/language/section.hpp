@@ -48,6 +48,7 @@ struct Input {
   /// Groups by the path of their mesh, and whether that is smooth: 1 no, 2 yes, 0 as the file has
   /// it.
   std::map<std::pair<std::string, int>, std::uint32_t> meshes{};
+  std::vector<ColorLegend> legends{};  ///< of particles
 };
 
 /// A scene while it is written.

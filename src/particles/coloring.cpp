@@ -134,7 +134,8 @@ MaterialOf by_own_colors(const Particles& particles, const Material& base, Scene
 }
 
 Result<MaterialOf> by_column(const Particles& particles, const ParticleStyle& style,
-                             const Material& base, const std::string& name, Scene& scene) {
+                             const Material& base, const std::string& name, Scene& scene,
+                             std::optional<ColorLegend>& legend) {
   constexpr std::uint32_t kSteps = 256;
   const std::vector<float>& values = particles.values;
   const Extent extent =
@@ -145,8 +146,11 @@ Result<MaterialOf> by_column(const Particles& particles, const ParticleStyle& st
   const std::array<double, 2> range = style.range.value_or(
       std::array{static_cast<double>(extent.least), static_cast<double>(extent.most)});
   const auto first = static_cast<std::uint32_t>(scene.materials.size());
-  for (std::uint32_t i = 0; i < kSteps; ++i)
-    add_material(base, color_at(style.color_map, i / (kSteps - 1.0)), scene);
+  legend = {style.color_by, range[0], range[1], {}};
+  for (std::uint32_t i = 0; i < kSteps; ++i) {
+    legend->colors.push_back(color_at(style.color_map, i / (kSteps - 1.0)));
+    add_material(base, legend->colors.back(), scene);
+  }
   const double factor = range[1] > range[0] ? (kSteps - 1) / (range[1] - range[0]) : 0;
   return MaterialOf([&values, first, factor, range](std::size_t i, std::uint32_t) {
     const double step = (static_cast<double>(values[i]) - range[0]) * factor;
@@ -175,10 +179,11 @@ Color linear_color(std::uint32_t rgb) {
 
 Result<MaterialOf> color_particles(const Particles& particles, const ParticleStyle& style,
                                    const Material& base, std::uint32_t base_index,
-                                   const std::string& name, Scene& scene) {
+                                   const std::string& name, Scene& scene,
+                                   std::optional<ColorLegend>& legend) {
   if (style.one_material)
     return MaterialOf([base_index](std::size_t, std::uint32_t) { return base_index; });
-  if (has_column(style)) return by_column(particles, style, base, name, scene);
+  if (has_column(style)) return by_column(particles, style, base, name, scene, legend);
   if (style.color_by.empty() && !particles.colors.empty())
     return by_own_colors(particles, base, scene);
   return by_species(particles, base, scene);

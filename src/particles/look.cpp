@@ -61,10 +61,11 @@ class Drawing {
   Drawing(Particles&& particles, const ParticleStyle& style, const std::string& name)
       : particles_(std::move(particles)), style_(style), name_(name) {}
 
-  Result<Diagnostics> add_to(const Material& base, std::uint32_t base_index, Scene& scene,
-                             ShapeLists& shapes) {
+  Result<AddedParticles> add_to(const Material& base, std::uint32_t base_index, Scene& scene,
+                                ShapeLists& shapes) {
+    AddedParticles added;
     const Result<MaterialOf> materials =
-        color_particles(particles_, style_, base, base_index, name_, scene);
+        color_particles(particles_, style_, base, base_index, name_, scene, added.legend);
     if (!materials) return tl::make_unexpected(materials.error());
     if (has_sticks()) find_bonds_of_atoms();
     set_spheres(*materials);
@@ -74,7 +75,8 @@ class Drawing {
       add_spheres(shapes);
     else
       add_ellipsoids(scene, shapes);
-    return std::move(notes_);
+    added.notes = std::move(notes_);
+    return added;
   }
 
  private:
@@ -142,18 +144,24 @@ class Drawing {
   /// Each in two halves, of the colours of its ends.
   void add_bonds(ShapeLists& shapes) {
     const double radius = stick_radius();
-    shapes.cones.reserve(shapes.cones.size() + 2 * bonds_.size());
+    const auto add = [&](const Vec3& from, const Vec3& to, std::uint32_t material) {
+      if (style_.solid)
+        shapes.frustums.push_back({{from, radius, to, radius, true}, material});
+      else
+        shapes.cones.push_back({{from, radius, to, radius}, material});
+    };
+    if (!style_.solid) shapes.cones.reserve(shapes.cones.size() + 2 * bonds_.size());
     for (const auto& [first, second] : bonds_) {
       const auto &a = particles_.spheres[first], &b = particles_.spheres[second];
       const Vec3 &p = a.shape.center, &q = b.shape.center;
       if (p == q) continue;
       const Vec3 middle{(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2};
       if (a.material == b.material) {
-        shapes.cones.push_back({{p, radius, q, radius}, a.material});
+        add(p, q, a.material);
         continue;
       }
-      shapes.cones.push_back({{p, radius, middle, radius}, a.material});
-      shapes.cones.push_back({{middle, radius, q, radius}, b.material});
+      add(p, middle, a.material);
+      add(middle, q, b.material);
     }
   }
 
@@ -246,9 +254,9 @@ Material particle_material() {
   return material;
 }
 
-Result<Diagnostics> add_particles(Particles&& particles, const ParticleStyle& style,
-                                  const Material& base, std::uint32_t base_index,
-                                  const std::string& name, Scene& scene, ShapeLists& shapes) {
+Result<AddedParticles> add_particles(Particles&& particles, const ParticleStyle& style,
+                                     const Material& base, std::uint32_t base_index,
+                                     const std::string& name, Scene& scene, ShapeLists& shapes) {
   return Drawing(std::move(particles), style, name).add_to(base, base_index, scene, shapes);
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <zraka/formats.hpp>
 
 #include "particles/color_map.hpp"
 #include "particles/particles.hpp"
@@ -27,6 +28,7 @@ struct ParticleStyle {
   std::string color_by{};
   ColorMap color_map = ColorMap::viridis;
   std::optional<std::array<double, 2>> range{};  ///< of the numbers; else from least to most
+  bool solid = false;  ///< bonds are closed, so that cuts have caps there
   bool cell = false;                             ///< whether the edges of the cell are drawn
   bool one_material = false;  ///< whatever the file says: all are of the material given
 };
@@ -39,12 +41,18 @@ inline bool has_column(const ParticleStyle& style) {
   return !style.color_by.empty() && style.color_by != "element";
 }
 
+/// What there is to say of particles that have been added.
+struct AddedParticles {
+  Diagnostics notes;
+  std::optional<ColorLegend> legend;  ///< where a column colours them
+};
+
 /// Adds the particles to `shapes` of the scene: spheres, cones for bonds, ellipsoids. Of their
 /// colours materials are made, like `base` in all else; 10 000 000 colours become at most 65 536,
 /// by rounding. Problems and notes are of the file `name`.
-Result<Diagnostics> add_particles(Particles&& particles, const ParticleStyle& style,
-                                  const Material& base, std::uint32_t base_index,
-                                  const std::string& name, Scene& scene, ShapeLists& shapes);
+Result<AddedParticles> add_particles(Particles&& particles, const ParticleStyle& style,
+                                     const Material& base, std::uint32_t base_index,
+                                     const std::string& name, Scene& scene, ShapeLists& shapes);
 
 /// sRGB as 0xRRGGBB, in linear light.
 Color linear_color(std::uint32_t rgb);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "render/crypto.hpp"
+#include "engine/general/cuts.hpp"
 #include "engine/tile_order.hpp"
 #include "render/sample_rays.hpp"
 #include "render/screen_bounds.hpp"
@@ -70,6 +71,7 @@ class LayerMaker {
         values_(pass.job.options.layers, size),
         counts_rays_(pass.job.options.layers.has(Layer::rays) ||
                      pass.job.options.layers.has(Layer::tree_depth)),
+        has_cuts_(scene_.optics != nullptr && scene_.optics->cut_count > 0),
         samples_(scene_.camera, job_.options.profile, kOne, scene_.textures != nullptr),
         bounds_(job_.bounds()) {
     if (pass.job.options.layers.has(Layer::uv)) uv_.emplace(*pass.scene, *pass.prepared.store);
@@ -88,6 +90,7 @@ class LayerMaker {
   /// pixel.
   struct Worker {
     std::optional<WorkspaceMemory<R>> hits;
+    std::optional<GeneralMemory<R>> beyond_cuts;  ///< of rays that go on, where there are cuts
     std::optional<TracerMemory<R>> tree;
   };
 
@@ -104,7 +107,7 @@ class LayerMaker {
   const FrozenScene<R>& scene_;
   Resolution size_;
   Values values_;
-  bool counts_rays_;
+  bool counts_rays_, has_cuts_;
   const SampleRays<R> samples_;
   std::optional<UvFinder<R>> uv_;
   std::optional<ScreenBounds> bounds_;
@@ -131,7 +134,15 @@ void LayerMaker<R>::make_tile(const TileRect& tile) {
   if (count == 0) return;
   level.ray_count = level.in_batch = count;
   level.done = 0;
-  job_.kernel.services->find_hits(scene_, level, workspace.scratch);
+  if (!has_cuts_) {
+    job_.kernel.services->find_hits(scene_, level, workspace.scratch);
+  } else {
+    if (!worker.beyond_cuts)
+      worker.beyond_cuts.emplace(job_.tile * job_.tile, 0, job_.settings,
+                                 scene_.textures != nullptr);
+    general::find_uncut_hits(scene_, *job_.kernel.services, level, workspace.scratch,
+                             worker.beyond_cuts->workspace());
+  }
   const auto hits = static_cast<std::size_t>(level.hit_count);
   for (std::size_t h = 0; h < hits; ++h) put_hit(workspace, h);
 }
@@ -234,7 +245,21 @@ bool make_layers(const LayerPass<R>& pass, Rendering& rendering) {
   return true;
 }
 
-template bool make_layers<float>(const LayerPass<float>&, Rendering&);
-template bool make_layers<double>(const LayerPass<double>&, Rendering&);
+template <class R>
+bool make_layers(const LayerPass<R>& pass, Layers& layers) {
+  const TileRect& part = pass.job.part;
+  LayerMaker<R> maker(pass, {static_cast<std::uint32_t>(part.width),
+                             static_cast<std::uint32_t>(part.height)});
+  if (!maker.make()) return false;
+  maker.put(layers);
+  return true;
+}
+
+#define ZRAKA_FOR(R)                                             \
+  template bool make_layers(const LayerPass<R>&, Rendering&);    \
+  template bool make_layers(const LayerPass<R>&, Layers&);
+ZRAKA_FOR(float)
+ZRAKA_FOR(double)
+#undef ZRAKA_FOR
 
 }  // namespace zraka

@@ -26,5 +26,8 @@ struct LayerPass {
 /// through its corner where the profile says so. False if it was cancelled.
 template <class R>
 bool make_layers(const LayerPass<R>& pass, Rendering& rendering);
+/// The same of the part of the picture that the job is.
+template <class R>
+bool make_layers(const LayerPass<R>& pass, Layers& layers);
 
 }  // namespace zraka

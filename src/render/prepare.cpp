@@ -61,6 +61,7 @@ Diagnostics check_request(const Scene& scene, const RenderOptions& options) {
   in_range("depth", options.max_depth, 0, kMaxDepth);
   in_range("number of threads", options.threads, 0, kMaxThreads);
   in_range("tile side", options.tile, 0, kMaxTile);
+  in_range("width of outlines", options.outlines, 0, kMaxOutlines);
   in_range("number of wavelengths", options.wavelengths, 1, kMaxWavelengths);
   if (!(options.min_contribution >= 0 && std::isfinite(options.min_contribution)))
     found.push_back({.message = fmt::format("least contribution {} is out of range: 0 or more",

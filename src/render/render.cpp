@@ -15,6 +15,7 @@
 #include "render/corners.hpp"
 #include "render/isa.hpp"
 #include "render/layers.hpp"
+#include "render/outlines.hpp"
 #include "render/picture_job.hpp"
 #include "render/prepare.hpp"
 #include "render/render_prepared.hpp"
@@ -126,6 +127,18 @@ TileRect part_of(const RenderOptions& options, const Resolution& resolution) {
           static_cast<std::int32_t>(part.width), static_cast<std::int32_t>(part.height)};
 }
 
+/// Black, also where alpha says that nothing is.
+void draw_lines(const std::vector<bool>& lines, Rendering& rendering) {
+  std::vector<float>* alpha = nullptr;
+  for (Channel& channel : rendering.layers.channels)
+    if (channel.name == "A") alpha = std::get_if<std::vector<float>>(&channel.values);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!lines[i]) continue;
+    std::fill_n(rendering.image.pixels.data() + 3 * i, 3, 0.0f);
+    if (alpha != nullptr) (*alpha)[i] = 1;
+  }
+}
+
 }  // namespace
 
 template <class R>
@@ -141,7 +154,7 @@ bool render_prepared(const Scene* scene, const PreparedScene<R>& prepared,
                                                    static_cast<std::uint32_t>(part.height), threads)
                                      : options.tile;
   PictureJob<R> job{frozen, kernel, settings, options, resolution, part, tile, threads};
-  const bool all_at_once = corners || options.transparent ||
+  const bool all_at_once = corners || options.transparent || options.outlines > 0 ||
                            (!plain && options.sampling.kind == Sampling::Kind::adaptive);
   if (tile_done && !all_at_once) job.tile_done = &tile_done;
   if (corners) ++job.part.width, ++job.part.height;
@@ -153,6 +166,11 @@ bool render_prepared(const Scene* scene, const PreparedScene<R>& prepared,
   if (complete && corners) {
     rendering.image = means_of_corners(std::move(rendering.image));
     average_corners(rendering.layers);
+  }
+  if (complete && options.outlines > 0) {
+    std::vector<bool> lines;
+    complete = find_outlines<R>({scene, prepared, job}, part, lines);
+    if (complete) draw_lines(lines, rendering);
   }
   complete = complete && make_layers<R>({scene, prepared, job}, rendering);
   if (complete && tile_done && all_at_once)
@@ -262,8 +280,8 @@ tl::unexpected<Diagnostics> beyond_the_lab() {
 
 Result<Rendering> render_varied(const Scene& scene, const RenderOptions& options,
                                 const Variation& variation) {
-  if (options.transparent || !options.layers.empty())
-    return failure("", "layers and transparent pictures are those of the right rules");
+  if (options.transparent || !options.layers.empty() || options.outlines > 0)
+    return failure("", "layers, outlines and transparent pictures are those of the right rules");
   Scene varied = scene;
   if (variation.vary_scene) variation.vary_scene(varied);
   RenderOptions other = options;

@@ -355,6 +355,8 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
   }
 
   const Whereabouts where(scene);
+  if (store->optics && store->optics->frozen.has_caps)
+    find_body_sizes(scene, where, frame, *store->optics);
   const std::vector<GroupPlace> places = places_of_groups(scene, where);
   store->textures = freeze_textures(scene);
   const bool textured = store->textures != nullptr;

@@ -199,8 +199,8 @@ void find_bounds(const Scene& scene, FrozenOptics& out) {
 }  // namespace
 
 bool has_optics(const Scene& scene) {
-  return scene.ambient_occlusion.samples > 0 || !scene.cuts.empty() || scene.sky.kind != Sky::Kind::flat ||
-         scene.fog.kind != Fog::Kind::none ||
+  return scene.ambient_occlusion.samples > 0 || scene.sky.kind != Sky::Kind::flat ||
+         scene.fog.kind != Fog::Kind::none || !scene.cuts.empty() ||
          std::any_of(scene.lights.begin(), scene.lights.end(),
                      [](const Light& light) {
                        if (light.kind == LightKind::directional) return false;
@@ -222,7 +222,10 @@ std::unique_ptr<StoredOptics> freeze_optics(const Scene& scene, const Profile& p
     out.shadowless = out.shadowless || !m.casts_shadow;
   }
   for (const Light& light : scene.lights) stored->lights.push_back(freeze_light(light, frame));
-  for (const Cut& cut : scene.cuts) stored->cuts.push_back(freeze_cut(cut, frame));
+  for (const Cut& cut : scene.cuts) {
+    stored->cuts.push_back(freeze_cut(cut, frame));
+    out.has_caps = out.has_caps || cut.caps;
+  }
   out.cuts = stored->cuts.data();
   out.cut_count = static_cast<int>(stored->cuts.size());
   out.materials = stored->materials.data();

@@ -12,12 +12,15 @@
 
 namespace zraka {
 
+class Whereabouts;
+
 /// The memory behind FrozenOptics.
 struct StoredOptics {
   FrozenOptics frozen{};
   std::vector<OpticalMaterial> materials;
   std::vector<OpticalLight> lights;
   std::vector<OpticalCut> cuts;
+  std::vector<float> body_sizes;
 };
 
 /// Whether a scene has anything that the lab's engine has not.
@@ -25,6 +28,10 @@ bool has_optics(const Scene& scene);
 
 std::unique_ptr<StoredOptics> freeze_optics(const Scene& scene, const Profile& profile,
                                             const Frame& frame);
+
+/// How large bodies are that caps of cuts can close.
+void find_body_sizes(const Scene& scene, const Whereabouts& where, const Frame& frame,
+                     StoredOptics& optics);
 
 /// Which depends on the view, if it is planar.
 OpticalFog freeze_fog(const Scene& scene, const Frame& frame);

@@ -72,6 +72,11 @@ struct FrozenOptics {
   OpticalFog fog;
   const OpticalCut* cuts;
   int cut_count;
+  bool has_caps;  ///< of some cut
+  /// Where cuts have caps, how large bodies can be that are closed by them, and how large each
+  /// is that is no sphere, by its id from the first on: the diagonals of their boxes.
+  double largest_body;
+  const float* body_sizes;
   int occlusion_samples;      ///< 0: none
   double occlusion_distance;  ///< infinite: the whole scene
   V3<double> occlusion_color;

@@ -114,6 +114,8 @@ class Spawner {
     ray.sample = parent.sample;
     ray.wavelength = wavelength;
     ray.kind = kind;
+    // What is seen of a cap for the eye only is as if all rays knew of it.
+    ray.sees_cuts = hit.cap >= 0 && batch_.optics().cuts[hit.cap].eye_only;
     ray.inside = parent.inside;
     if (kind == RayKind::refracted && hit.enclosing &&
         (batch_.optics().nested || batch_.optics().absorbing)) {

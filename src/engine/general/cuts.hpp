@@ -2,78 +2,110 @@
 // What cuts have taken away of shapes, and the caps that close what they have opened.
 #pragma once
 
-#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "engine/general/steps.hpp"
 
 namespace zraka::general {
 
-inline bool concerns(const OpticalCut& cut, const OpticalMaterial& material, bool from_eye) {
-  return (cut.group == 0 || cut.group == material.cut_group) && (from_eye || !cut.eye_only);
-}
+/// The part of a ray where something is left, from `enter` to `leave` along it, and the cuts that
+/// bound it; nothing where it leaves before it enters.
+struct KeptPart {
+  double enter = -std::numeric_limits<double>::infinity();
+  double leave = std::numeric_limits<double>::infinity();
+  std::int32_t at_enter = -1, at_leave = -1;
+  bool is_empty() const { return !(enter < leave); }
+};
 
-/// Whether a point of a surface is taken away for rays from the eye, or for others.
-inline bool is_cut(const FrozenOptics& optics, const OpticalMaterial& material,
-                   const V3<double>& point, bool from_eye) {
-  for (int i = 0; i < optics.cut_count; ++i)
-    if (concerns(optics.cuts[i], material, from_eye) &&
-        dot(optics.cuts[i].normal, point) > optics.cuts[i].distance)
-      return true;
-  return false;
-}
+/// Of a material; of nullptr, the part where not everything is taken away. Cuts for the eye only
+/// count where a ray sees all of them.
+KeptPart kept_part(const FrozenOptics& optics, const OpticalMaterial* material,
+                   const V3<double>& origin, const V3<double>& direction, bool sees_all);
 
-/// How far it is along a ray to where something is left, if its origin is where everything is
-/// taken away: infinite where it never gets there, else 0.
-inline double way_out(const FrozenOptics& optics, const V3<double>& origin,
-                      const V3<double>& direction, bool from_eye) {
-  double far = 0;
-  for (int i = 0; i < optics.cut_count; ++i) {
-    const OpticalCut& cut = optics.cuts[i];
-    if (cut.group != 0 || (cut.eye_only && !from_eye)) continue;
-    const double before = dot(cut.normal, origin) - cut.distance;
-    if (!(before > 0)) continue;
-    const double change = dot(cut.normal, direction);
-    if (!(change < 0)) return std::numeric_limits<double>::infinity();
-    far = std::fmax(far, before / -change);
-  }
-  return far;
-}
+/// Whether a point of a surface is taken away.
+bool is_cut(const FrozenOptics& optics, const OpticalMaterial& material, const V3<double>& point,
+            bool sees_all);
 
-/// A ray that was in what is taken away and meets a body's surface from inside has come into the
-/// body where it left that: the hit moves there, if the cut is closed by a cap. What is left of a
-/// scene is convex, so the last of the cuts' planes on the way is the one.
+/// Whether what has been hit is a body that caps close: one with an inside that does not reach
+/// into infinity.
 template <class R>
-bool put_cap(const Batch<R>& batch, std::size_t h) {
-  if (!batch.from_inside(h) || !has_inside(batch.scene, batch.scratch.paths[h])) return false;
-  const FrozenOptics& optics = batch.optics();
-  const auto ray = static_cast<std::size_t>(batch.level.done + batch.level.hits.ray[h]);
-  const V3<double> origin =
-      three(batch.level.rays.ox, batch.level.rays.oy, batch.level.rays.oz, ray);
-  const V3<double> way = batch.point(h) - origin;
-  const bool from_eye = batch.rays[ray].kind == RayKind::camera;
-  const OpticalCut* last = nullptr;
-  double share = 0;
-  for (int i = 0; i < optics.cut_count; ++i) {
-    const OpticalCut& cut = optics.cuts[i];
-    if (!concerns(cut, batch.material(h), from_eye)) continue;
-    const double before = dot(cut.normal, origin) - cut.distance, change = dot(cut.normal, way);
-    if (!(before > 0) || !(change < 0)) continue;
-    const double at = -before / change;
-    if (at <= share) continue;
-    share = at;
-    last = &cut;
-  }
-  if (last == nullptr || !last->caps) return false;
-  Scratch<R>& s = batch.scratch;
-  const V3<double> point = origin + way * share;
-  s.px[h] = static_cast<R>(point.x), s.py[h] = static_cast<R>(point.y);
-  s.pz[h] = static_cast<R>(point.z);
-  s.nx[h] = static_cast<R>(last->normal.x), s.ny[h] = static_cast<R>(last->normal.y);
-  s.nz[h] = static_cast<R>(last->normal.z);
-  s.inside[h] = R(0);
-  s.t[batch.level.hits.ray[h]] = static_cast<R>(length(way) * share);
-  return true;
-}
+bool is_solid(const FrozenScene<R>& scene, const HitPath& path);
+
+/// Copies hit `from` of one scratch to hit `to` of another.
+template <class R>
+void copy_hit(const Scratch<R>& source, std::size_t from, Scratch<R>& target, std::size_t to);
+
+/// Lets rays go on, through what is cut away, to the first that is left of a surface, or to a cap.
+///
+/// Of a body that caps close, what is left is its inside without the half-spaces that are taken
+/// away; the cap is the part of their planes that is in it. Whether the plane is in a body, the
+/// body's next surface tells: seen from inside, it has been in there since the ray has come in. So
+/// rays are followed behind the plane as far as the largest body reaches. Where several bodies
+/// have a cap in one place, it is that of the highest priority, then of the smallest, then of the
+/// first in the scene: onions show their layers, and it is no matter from where one looks.
+template <class R>
+class CutWalks {
+ public:
+  /// `rays` are the level's, and nullptr if all come from the eye.
+  CutWalks(const FrozenScene<R>& scene, const Services<R>& services, Level<R>& level,
+           Scratch<R>& scratch, GeneralWorkspace<R>& general, const RayState<R>* rays);
+
+  /// A hit that has been found by shapes alone, or that of a ray that goes on behind it.
+  void add_hit(std::size_t h);
+  void add_onward(std::size_t h);
+  /// Finds them all: hits, and in general.caps the cuts of those that are caps. Of rays that leave
+  /// everything the slot becomes -1.
+  void run();
+
+ private:
+  struct Entered {
+    std::uint64_t body;
+    double at;
+  };
+  struct Walk {
+    std::size_t h, ray;  ///< the ray's index in the level
+    V3<double> start, direction, origin;
+    bool sees_all;
+    double passed = 0;  ///< caps nearer than that are behind it
+    double at = 0;      ///< how far it has been followed
+    double nearest = std::numeric_limits<double>::infinity();  ///< what has been found
+    // Of the cap that is nearest.
+    bool is_cap = false;
+    double size = 0;
+    int priority = 0;
+    std::int64_t id = 0;
+    std::vector<Entered> entered{};
+  };
+
+  Walk walk_of(std::size_t h) const;
+  bool goes_on(Walk& walk) const;
+  void meet(Walk& walk, const Scratch<R>& found, std::size_t i, std::int32_t slot);
+  void meet_solid(Walk& walk, const Scratch<R>& found, std::size_t i, std::int32_t slot);
+  void take_cap(Walk& walk, const Scratch<R>& found, std::size_t i, std::int32_t slot,
+                std::int32_t cut, double at, bool enters);
+  double size_of(const HitPath& path) const;
+  std::int64_t id_of(const HitPath& path) const;
+  void follow(const std::vector<Walk*>& walks, std::vector<Walk*>& still);
+
+  const FrozenScene<R>& scene_;
+  const FrozenOptics& optics_;
+  const Services<R>& services_;
+  Level<R>& level_;
+  Scratch<R>& scratch_;
+  GeneralWorkspace<R>& general_;
+  const RayState<R>* rays_;
+  std::vector<Walk> walks_;
+};
+
+/// Leaves out the hits whose rays have none any more.
+template <class R>
+void drop_lost_hits(Level<R>& level, Scratch<R>& scratch, std::vector<std::int32_t>& caps);
+
+/// Of rays that all come from the eye, the first hits that cuts leave. For a scene that has some.
+template <class R>
+void find_uncut_hits(const FrozenScene<R>& scene, const Services<R>& services, Level<R>& level,
+                     Scratch<R>& scratch, GeneralWorkspace<R>& general);
 
 }  // namespace zraka::general

@@ -2,8 +2,8 @@
 #include "engine/general/general.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "engine/coefficients.hpp"
 #include "engine/general/cuts.hpp"
@@ -84,122 +84,45 @@ V3<double> transmittance_of(const V3<double>& absorption, double distance) {
 
 namespace {
 
-/// Copies hit `from` of one scratch to hit `to` of another.
-template <class R>
-void copy_hit(const Scratch<R>& source, std::size_t from, Scratch<R>& target, std::size_t to) {
-  target.px[to] = source.px[from], target.py[to] = source.py[from], target.pz[to] = source.pz[from];
-  target.nx[to] = source.nx[from], target.ny[to] = source.ny[from], target.nz[to] = source.nz[from];
-  target.vx[to] = source.vx[from], target.vy[to] = source.vy[from], target.vz[to] = source.vz[from];
-  target.offset[to] = source.offset[from];
-  target.inside[to] = source.inside[from];
-  target.material[to] = source.material[from];
-  target.paths[to] = source.paths[from];
-}
-
 /// Whether the medium is the same before and behind a hit: then the surface is none for light, and
 /// `inside` becomes what the ray is inside of behind it.
 template <class R>
-bool passes_unseen(const Batch<R>& batch, const HitState<R>& hit, std::size_t h, Inside& inside) {
+bool passes_unseen(const Batch<R>& batch, std::size_t h, Inside& inside) {
   const OpticalMaterial* const materials = batch.optics().materials;
   const OpticalMaterial& material = batch.material(h);
   if (is_zero(material.k2) && !material.textured_k2) return false;  // nothing goes in there
   if (!has_inside(batch.scene, batch.scratch.paths[h])) return false;
+  const std::uint64_t body =
+      body_of(batch.scene, batch.scratch.paths[h], batch.scratch.material[h]);
   Inside with = inside, without = inside;
-  with.enter({hit.body, batch.scratch.material[h]});
-  without.leave(hit.body);
+  with.enter({body, batch.scratch.material[h]});
+  without.leave(body);
   const std::int32_t a = medium_of(with, materials), b = medium_of(without, materials);
   if (a != b) return false;
   inside = batch.from_inside(h) ? without : with;
   return true;
 }
 
-/// Whether a ray goes on through what it has hit: what is cut away, and surfaces that another body's
-/// inside hides where bodies have priorities.
-template <class R>
-bool is_hidden(const Batch<R>& batch, std::size_t h) {
-  RayState<R>& ray = batch.ray_of(h);
-  if (is_cut(batch.optics(), batch.material(h), batch.point(h), ray.kind == RayKind::camera))
-    return true;
-  return batch.optics().nested && passes_unseen(batch, batch.hits[h], h, ray.inside);
-}
-
-/// A ray that goes on through a hit: from behind it, or from where something is left.
-struct Onward {
-  V3<double> origin, direction;
-  double skipped = 0;  ///< from behind the hit to the origin; infinite: nothing is left on its way
-};
-template <class R>
-Onward onward(const Batch<R>& batch, std::size_t h) {
-  Onward ray{batch.point(h) - batch.normal(h) * batch.offset(h), -batch.view(h)};
-  ray.skipped = way_out(batch.optics(), ray.origin, ray.direction,
-                        batch.ray_of(h).kind == RayKind::camera);
-  if (ray.skipped > 0 && std::isfinite(ray.skipped))
-    ray.origin = ray.origin + ray.direction * ray.skipped;
-  return ray;
-}
-
-/// Lets rays go on through what is hidden.
+/// Lets rays go on through what is cut away, and through surfaces that another body's inside hides
+/// where bodies have priorities.
 template <class R>
 void pass_hidden_surfaces(const Batch<R>& batch) {
-  // Cuts of some materials alone leave the others' surfaces, one after the other.
-  const int most = batch.optics().cut_count > 0 ? 4096 : 64;
-  Level<R>& level = batch.level;
-  Level<R>& through = batch.general.through;
-  Scratch<R>& found = batch.general.through_scratch;
-  std::vector<std::int32_t> hidden;
-  for (std::size_t h = 0; h < batch.hit_count(); ++h)
-    if (is_hidden(batch, h)) hidden.push_back(static_cast<std::int32_t>(h));
-  for (int pass = 0; !hidden.empty() && pass < most; ++pass) {
-    std::vector<std::int32_t> still;
-    const auto room = static_cast<std::size_t>(batch.general.room);
-    for (std::size_t first = 0; first < hidden.size(); first += room) {
-      const std::size_t n = std::min(hidden.size() - first, room);
-      std::vector<bool> meets(n, false);
-      std::vector<double> skipped(n);
-      for (std::size_t i = 0; i < n; ++i) {
-        const Onward ray = onward(batch, static_cast<std::size_t>(hidden[first + i]));
-        skipped[i] = ray.skipped;
-        through.rays.ox[i] = static_cast<R>(ray.origin.x);
-        through.rays.oy[i] = static_cast<R>(ray.origin.y);
-        through.rays.oz[i] = static_cast<R>(ray.origin.z);
-        through.rays.dx[i] = static_cast<R>(ray.direction.x);
-        through.rays.dy[i] = static_cast<R>(ray.direction.y);
-        through.rays.dz[i] = static_cast<R>(ray.direction.z);
-      }
-      through.ray_count = through.in_batch = static_cast<std::int32_t>(n);
-      through.done = 0;
-      batch.services.find_hits(batch.scene, through, found);
-      for (std::size_t i = 0; i < static_cast<std::size_t>(through.hit_count); ++i) {
-        const auto ray = static_cast<std::size_t>(through.hits.ray[i]);
-        if (std::isinf(skipped[ray])) continue;
-        meets[ray] = true;
-        const auto h = static_cast<std::size_t>(hidden[first + ray]);
-        const std::int32_t of = level.hits.ray[h];
-        batch.scratch.slot[of] = found.slot[ray];
-        copy_hit(found, i, batch.scratch, h);
-        batch.scratch.t[of] += found.t[ray];
-        if (skipped[ray] > 0) batch.scratch.t[of] += static_cast<R>(skipped[ray]);
-        batch.hits[h].body = body_of(batch.scene, found.paths[i], found.material[i]);
-        if (is_hidden(batch, h)) still.push_back(static_cast<std::int32_t>(h));
-      }
-      for (std::size_t i = 0; i < n; ++i)
-        if (!meets[i]) batch.scratch.slot[level.hits.ray[hidden[first + i]]] = -1;
-    }
-    hidden.swap(still);
+  constexpr int kMostPassed = 64;
+  CutWalks<R> walks(batch.scene, batch.services, batch.level, batch.scratch, batch.general,
+                    batch.rays);
+  std::vector<std::size_t> hidden(batch.hit_count());
+  std::iota(hidden.begin(), hidden.end(), std::size_t{0});
+  for (const std::size_t h : hidden) walks.add_hit(h);
+  walks.run();
+  for (int pass = 0; batch.optics().nested && !hidden.empty() && pass < kMostPassed; ++pass) {
+    std::erase_if(hidden, [&](std::size_t h) {
+      return batch.scratch.slot[batch.level.hits.ray[h]] < 0 ||
+             !passes_unseen(batch, h, batch.ray_of(h).inside);
+    });
+    for (const std::size_t h : hidden) walks.add_onward(h);
+    walks.run();
   }
-  // Rays that leave everything have no hit any more.
-  std::int32_t kept = 0;
-  for (std::int32_t h = 0; h < level.hit_count; ++h) {
-    if (batch.scratch.slot[level.hits.ray[h]] < 0) continue;
-    if (kept != h) {
-      level.hits.ray[kept] = level.hits.ray[h];
-      batch.hits[kept].body = batch.hits[h].body;
-      copy_hit(batch.scratch, static_cast<std::size_t>(h), batch.scratch,
-               static_cast<std::size_t>(kept));
-    }
-    ++kept;
-  }
-  level.hit_count = kept;
+  drop_lost_hits(batch.level, batch.scratch, batch.general.caps);
 }
 
 /// Nearest hits, surfaces, and what rays come through; what hits nothing has the sky's colour.
@@ -209,10 +132,9 @@ void find_hits(const Batch<R>& batch) {
   batch.services.find_hits(batch.scene, level, batch.scratch);
   const bool has_media = batch.optics().absorbing || batch.optics().nested;
   const bool wants_bodies = has_media || batch.general.listener != nullptr;
-  for (std::size_t h = 0; wants_bodies && h < batch.hit_count(); ++h)
-    batch.hits[h].body =
-        body_of(batch.scene, batch.scratch.paths[h], batch.scratch.material[h]);
-  if (batch.optics().nested || batch.optics().cut_count > 0) pass_hidden_surfaces(batch);
+  batch.general.caps.clear();
+  const bool may_go_through = batch.optics().nested || batch.optics().cut_count > 0;
+  if (may_go_through) pass_hidden_surfaces(batch);
   batch.counts.hits += batch.hit_count();
 
   const bool plain = batch.optics().sky.kind == Sky::Kind::flat;
@@ -229,12 +151,12 @@ void find_hits(const Batch<R>& batch) {
   }
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     HitState<R>& hit = batch.hits[h];
-    const std::uint64_t body = wants_bodies ? hit.body : 0;
     hit = {};
-    hit.body = body;
+    if (wants_bodies)
+      hit.body = body_of(batch.scene, batch.scratch.paths[h], batch.scratch.material[h]);
     hit.material = batch.scratch.material[h];
     hit.enclosing = wants_bodies && has_inside(batch.scene, batch.scratch.paths[h]);
-    hit.cap = batch.optics().cut_count > 0 && put_cap(batch, h);
+    hit.cap = may_go_through ? batch.general.caps[h] : -1;
     hit.medium = -1;
     hit.transmittance = {R(1), R(1), R(1)};
     const std::int32_t of = level.hits.ray[h];
@@ -244,7 +166,7 @@ void find_hits(const Batch<R>& batch) {
     RayState<R>& ray = batch.ray_of(h);
     // What a ray leaves it has been inside of, whether or not it is known how it came in.
     if (hit.enclosing && batch.from_inside(h) && !(is_zero(batch.material(h).k2) && !batch.material(h).textured_k2))
-      ray.inside.enter({body, batch.scratch.material[h]});
+      ray.inside.enter({hit.body, batch.scratch.material[h]});
     hit.medium = medium_of(ray.inside, batch.optics().materials);
     if (hit.medium < 0 || !batch.optics().materials[hit.medium].absorbs()) continue;
     hit.transmittance = narrowed<R>(
@@ -308,6 +230,9 @@ Inside inside_of_eye(const FrozenScene<R>& scene, const Services<R>& services,
   Level<R>& level = general.through;
   Scratch<R>& scratch = general.through_scratch;
   const V3<double> way = unit({0.3511, 0.7413, 0.5719});  // along no axis
+  const V3<double> eye{static_cast<double>(scene.camera.eye.x),
+                       static_cast<double>(scene.camera.eye.y),
+                       static_cast<double>(scene.camera.eye.z)};
   V3<R> from = scene.camera.eye;
   std::vector<std::uint64_t> met;
   for (int surface = 0; surface < kMostSurfaces; ++surface) {
@@ -323,7 +248,7 @@ Inside inside_of_eye(const FrozenScene<R>& scene, const Services<R>& services,
     const bool known = std::find(met.begin(), met.end(), body) != met.end();
     const OpticalMaterial& m = scene.optics->materials[material];
     if (!known && scratch.inside[0] > R(0) && has_inside(scene, scratch.paths[0]) &&
-        !(is_zero(m.k2) && !m.textured_k2))
+        !(is_zero(m.k2) && !m.textured_k2) && !is_cut(*scene.optics, m, eye, true))
       inside.enter({body, material});
     met.push_back(body);
     from = narrowed<R>(three(scratch.px, scratch.py, scratch.pz, 0) -
@@ -361,6 +286,7 @@ void trace_rays(const FrozenScene<R>& scene, const TraceSettings& settings,
                       static_cast<std::uint32_t>(from.y));
     ray.sample = from.number;
     ray.wavelength = -1;
+    ray.sees_cuts = true;
     ray.inside = general.at_eye;
   }
   const auto batch_at = [&](int depth) {

@@ -63,6 +63,7 @@ struct RayState {
   std::uint32_t sample;  ///< of its pixel
   std::int32_t wavelength;  ///< which of TraceSettings::wavelengths; -1: all
   RayKind kind;
+  bool sees_cuts;  ///< those for the eye only, too
   Inside inside;
 };
 
@@ -74,7 +75,7 @@ struct HitState {
   std::int32_t first_child, child_count;
   std::uint64_t body;
   bool enclosing;  ///< has an inside that rays can be in
-  bool cap;        ///< where a cut has opened its body
+  std::int32_t cap;  ///< the cut whose plane it lies in, where that has opened its body; -1: none
   R clear;         ///< what fog leaves of its colour over that length
   V3<R> beyond_reflected, beyond_refracted;  ///< the sky's, in place of children that are too deep
   // For explanations.
@@ -146,6 +147,7 @@ struct GeneralWorkspace {
   std::vector<LightSum<R>> sums;
   std::vector<V3<R>> occlusion;
   std::vector<std::int32_t> samples;  ///< of occlusion, by hit
+  std::vector<std::int32_t> caps;     ///< HitState::cap while hits are found
   std::size_t waiting = 0;            ///< shadow rays
   std::vector<Waiting<R>> of_waiting;  ///< of a light's
   std::vector<V3<R>> filter;           ///< what shadows leave of each that waits

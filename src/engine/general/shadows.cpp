@@ -15,7 +15,55 @@ struct Walk {
   Inside inside;
   /// Bodies that have taken their share, and triangles that the ray is behind.
   std::vector<std::uint64_t> passed;
+  // Where there are cuts.
+  V3<double> start{};
+  bool sees_cuts = false;  ///< those for the eye only, too: it comes from a cap of such a one
+  std::vector<std::pair<std::uint64_t, double>> entered{};  ///< bodies, and how far from the hit
 };
+
+/// How much of a stretch of a shadow ray's way is in what is left of a material.
+double length_in(const FrozenOptics& optics, std::int32_t material, const Walk& walk, double from,
+                 double to) {
+  if (optics.cut_count == 0) return to - from;
+  const KeptPart kept = kept_part(optics, &optics.materials[material], walk.start, walk.direction,
+                                  walk.sees_cuts);
+  return std::fmax(0, std::fmin(to, kept.leave) - std::fmax(from, kept.enter));
+}
+
+/// Of a surface that is cut away, whether the ray has come through what is left of its body, in by
+/// one cap and out by another.
+bool has_crossed_caps(const FrozenOptics& optics, const OpticalMaterial& material,
+                      std::uint64_t body, bool leaves, Walk& walk) {
+  if (!leaves) {
+    walk.entered.push_back({body, walk.walked});
+    return false;
+  }
+  double since = -std::numeric_limits<double>::infinity();
+  for (const auto& [entered, at] : walk.entered)
+    if (entered == body) since = at;
+  std::erase_if(walk.entered, [&](const auto& entered) { return entered.first == body; });
+  const KeptPart kept =
+      kept_part(optics, &material, walk.start, walk.direction, walk.sees_cuts);
+  return since < kept.enter && kept.enter > 0 &&
+         kept.enter < std::fmin(kept.leave, walk.walked) && optics.cuts[kept.at_enter].caps;
+}
+
+/// Moves a ray from what is cut away to where something is left; false if it never gets there.
+bool skip_cut(const FrozenOptics& optics, Walk& walk) {
+  const KeptPart all = kept_part(optics, nullptr, walk.start, walk.direction, walk.sees_cuts);
+  // Behind them, bodies may end that it has come through between two cuts.
+  const bool between = std::any_of(optics.cuts, optics.cuts + optics.cut_count, [&](const auto& c) {
+    return dot(c.normal, walk.start) > c.distance && dot(c.normal, walk.direction) < 0;
+  });
+  const double beyond = between && optics.has_caps ? optics.largest_body : 0;
+  if (all.is_empty() || walk.walked > all.leave + beyond) return false;
+  if (!(walk.walked < all.enter)) return true;
+  walk.left -= all.enter - walk.walked;
+  walk.walked = all.enter;
+  walk.origin = walk.start + walk.direction * all.enter;
+  walk.inside = {};
+  return walk.left > 0;
+}
 
 /// The last stretch, to the light itself, may be inside of what absorbs.
 template <class R>
@@ -24,7 +72,9 @@ void finish(const Batch<R>& batch, const Walk& walk, V3<R>& filter) {
   const OpticalMaterial* const materials = batch.optics().materials;
   const std::int32_t medium = medium_of(walk.inside, materials);
   if (medium < 0 || !materials[medium].absorbs()) return;
-  const V3<R> left = narrowed<R>(transmittance_of(materials[medium].absorption, walk.left));
+  const double length =
+      length_in(batch.optics(), medium, walk, walk.walked, walk.walked + walk.left);
+  const V3<R> left = narrowed<R>(transmittance_of(materials[medium].absorption, length));
   filter = filter * left;
   if (batch.general.listener != nullptr)
     batch.general.listener->at_passed({batch.scratch.shadow_ray_hit[walk.entry],
@@ -33,7 +83,7 @@ void finish(const Batch<R>& batch, const Walk& walk, V3<R>& filter) {
                                        nullptr,
                                        walk.walked + walk.left,
                                        {R(1), R(1), R(1)},
-                                       walk.left,
+                                       length,
                                        left});
 }
 
@@ -47,6 +97,7 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
   Scratch<R>& scratch = general.through_scratch;
   const OpticalMaterial* const materials = batch.optics().materials;
   const auto room = static_cast<std::size_t>(general.room);
+  const bool has_cuts = batch.optics().cut_count > 0;
   for (int surface = 0; !walks.empty() && surface < kMostSurfaces; ++surface) {
     std::vector<Walk> going_on;
     for (std::size_t first = 0; first < walks.size(); first += room) {
@@ -81,31 +132,6 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
         const auto h = static_cast<std::size_t>(hit_of[i]);
         const OpticalMaterial& material = materials[scratch.material[h]];
         const R* const row = scratch.coefficients + std::ptrdiff_t{scratch.row[h]} * kMaterialReals;
-        const auto go_on = [&] {
-          const V3<double> normal = three(scratch.nx, scratch.ny, scratch.nz, h);
-          walk.origin = three(scratch.px, scratch.py, scratch.pz, h) -
-                        normal * static_cast<double>(scratch.offset[h]);
-          walk.left -= t;
-          going_on.push_back(std::move(walk));
-        };
-        // What the eye alone sees cut open lies in the light all the same.
-        const auto of = static_cast<std::size_t>(batch.scratch.shadow_ray_hit[walk.entry]);
-        if (is_cut(batch.optics(), material, three(scratch.px, scratch.py, scratch.pz, h),
-                   batch.hits[of].cap)) {
-          walk.walked += t;
-          go_on();
-          Walk& on = going_on.back();
-          const double far =
-              way_out(batch.optics(), on.origin, on.direction, batch.hits[of].cap);
-          if (!(far < on.left)) {
-            finish(batch, on, filter);
-            going_on.pop_back();
-            continue;
-          }
-          on.origin = on.origin + on.direction * far;
-          on.walked += far, on.left -= far;
-          continue;
-        }
         const bool leaves = scratch.inside[h] > R(0);
         const std::uint64_t body = body_of(batch.scene, scratch.paths[h], scratch.material[h]);
         const V3<R> share = !material.casts_shadow ? V3<R>{R(1), R(1), R(1)}
@@ -126,9 +152,35 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
         if (batch.optics().absorbing) {
           const std::int32_t medium = medium_of(walk.inside, materials);
           if (medium >= 0 && materials[medium].absorbs()) {
-            passed.length = t;
-            passed.transmittance = narrowed<R>(transmittance_of(materials[medium].absorption, t));
+            passed.length =
+                length_in(batch.optics(), medium, walk, walk.walked - t, walk.walked);
+            passed.transmittance =
+                narrowed<R>(transmittance_of(materials[medium].absorption, passed.length));
             filter = filter * passed.transmittance;
+          }
+        }
+        const auto go_on = [&] {
+          if (leaves)
+            walk.inside.leave(body);
+          else if (encloses)
+            walk.inside.enter({body, scratch.material[h]});
+          const V3<double> normal = three(scratch.nx, scratch.ny, scratch.nz, h);
+          walk.origin = three(scratch.px, scratch.py, scratch.pz, h) -
+                        normal * static_cast<double>(scratch.offset[h]);
+          walk.left -= t;
+        };
+        if (has_cuts) {
+          const FrozenOptics& optics = batch.optics();
+          const bool crossed = optics.has_caps && is_solid(batch.scene, scratch.paths[h]) &&
+                               has_crossed_caps(optics, material, body, leaves, walk);
+          if (!crossed && is_cut(optics, material, three(scratch.px, scratch.py, scratch.pz, h),
+                                 walk.sees_cuts)) {
+            go_on();
+            if (skip_cut(optics, walk))
+              going_on.push_back(std::move(walk));
+            else
+              finish(batch, walk, filter);
+            continue;
           }
         }
         const bool known =
@@ -149,11 +201,8 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
         }
         if (general.listener != nullptr) general.listener->at_passed(passed);
         if (is_zero(filter)) continue;
-        if (leaves)
-          walk.inside.leave(body);
-        else if (encloses)
-          walk.inside.enter({body, scratch.material[h]});
         go_on();
+        going_on.push_back(std::move(walk));
       }
     }
     walks.swap(going_on);
@@ -211,6 +260,9 @@ void trace_waiting(const Batch<R>& batch) {
               0,
               {},
               {}};
+    walk.start = walk.origin;
+    const std::int32_t cap = batch.hits[hit].cap;
+    walk.sees_cuts = cap >= 0 && batch.optics().cuts[cap].eye_only;
     // On the side that the viewer sees.
     if (batch.optics().absorbing) walk.inside = batch.ray_of(hit).inside;
     walks.push_back(std::move(walk));

@@ -19,6 +19,7 @@ struct ParticlesEntry {
   std::optional<std::string> color_by;
   ColorMap color_map = ColorMap::viridis;
   std::optional<std::array<double, 2>> range;
+  bool solid = false;
   bool cell = false;
   std::int64_t frame = 1;
 };
@@ -63,6 +64,8 @@ constexpr Field kFields[] = {
                           "the least and the most",
                   .fewest = 2,
                   .most = 2}),
+    field<&ParticlesEntry::solid>(
+        "solid", {.text = "whether bonds are closed at their ends, so that cuts have caps there"}),
     field<&ParticlesEntry::cell>("cell", {.text = "whether the edges of the file's box are drawn"}),
     field<&ParticlesEntry::frame>(
         "frame", {.text = "which time step or model, counted from 1", .range = at_least(1)}),
@@ -76,6 +79,7 @@ ParticleStyle style_of(const ParticlesEntry& entry, bool has_material) {
   style.color_by = entry.color_by.value_or("");
   style.color_map = entry.color_map;
   style.range = entry.range;
+  style.solid = entry.solid;
   style.cell = entry.cell;
   style.one_material = has_material && !entry.color_by;
   return style;
@@ -97,11 +101,12 @@ void put(ParticlesEntry& entry, Item& item) {
       common.material ? scene.materials[common.material_index] : particle_material();
   const bool is_direct = common.place.shapes != nullptr && !common.transform && common.name.empty();
   Group group;
-  const Result<Diagnostics> notes =
+  Result<AddedParticles> added =
       add_particles(std::move(*particles), style, base, common.material_index, "", scene,
                     is_direct ? *common.place.shapes : group);
-  if (!notes) return tell(notes.error(), file, "particles", item.input);
-  for (const Diagnostic& note : *notes)
+  if (!added) return tell(added.error(), file, "particles", item.input);
+  if (added->legend) item.input.legends.push_back(std::move(*added->legend));
+  for (const Diagnostic& note : added->notes)
     item.input.problems.warn(file.begin, fmt::format("file of particles: {}", note.message));
   if (is_direct) return;
   scene.groups.push_back(std::move(group));
