@@ -104,8 +104,9 @@ TEST(Cuts, LeaveAlphaWhereNothingIsLeft) {
 
 /// The share of pixels whose light differs from whether rays to the light, along (-1, 0, 1) from
 /// the floor at z = -5, are free of a body.
-double wrong_shadows(const Scene& scene, const std::function<bool(const Vec3&)>& is_in) {
-  const Rendering picture = rendered(scene);
+double wrong_shadows(const Scene& scene, const std::function<bool(const Vec3&)>& is_in,
+                     Shadows shadows = Shadows::opaque) {
+  const Rendering picture = rendered(scene, {.shadows = shadows});
   std::size_t wrong = 0;
   const std::size_t count = std::size_t{scene.resolution.width} * scene.resolution.height;
   for (std::size_t i = 0; i < count; ++i) {
@@ -118,45 +119,50 @@ double wrong_shadows(const Scene& scene, const std::function<bool(const Vec3&)>&
 }
 Scene floor_in_light() {
   Scene scene = from_above(1.5, 40, 5);
-  scene.materials = {{.ambient = {}, .diffuse = {1, 1, 1}}};
-  scene.spheres = {{Sphere{{0, 0, 0}, 1}, 0}};
+  scene.materials = {{.ambient = {}, .diffuse = {1, 1, 1}},
+                     {.ambient = {}, .diffuse = {1, 1, 1}, .cut_group = 1}};
+  scene.spheres = {{Sphere{{0, 0, 0}, 1}, 1}};
   scene.parallelograms = {{Parallelogram{{-50, -50, -5}, {100, 0, 0}, {0, 100, 0}}, 0}};
   scene.lights = {{.position = {}, .kind = LightKind::directional, .direction = {1, 0, -1}}};
   return scene;
 }
 
 TEST(Cuts, CastTheShadowOfWhatIsLeftUnlessForTheEyeOnly) {
-  for (const bool eye_only : {false, true}) {
-    Scene scene = floor_in_light();
-    scene.cuts = {{.point = {0.2, 0, 0}, .normal = {1, 0, 0}, .eye_only = eye_only}};
-    EXPECT_LT(wrong_shadows(scene, [&](const Vec3& p) {
-      return dot(p, p) < 1 && (eye_only || p.x <= 0.2);
-    }), 0.01);
-  }
+  for (const bool eye_only : {false, true})
+    for (const double way : {1.0, -1.0}) {
+      Scene scene = floor_in_light();
+      scene.cuts = {{.point = {0.2, 0, 0},
+                     .normal = {way, 0, 0},
+                     .eye_only = eye_only,
+                     .group = way > 0 ? 1u : 0u}};  // where the floor lies, everything is left
+      EXPECT_LT(wrong_shadows(scene, [&](const Vec3& p) {
+        return dot(p, p) < 1 && (eye_only || way * (p.x - 0.2) <= 0);
+      }), 0.01);
+    }
 }
 
 TEST(Cuts, CastTheShadowOfASlabBetweenTwoCaps) {
   // Both of the sphere's surfaces on the light's way are taken away.
   Scene scene = floor_in_light();
-  scene.cuts = {{.point = {0.1, 0, -0.1}, .normal = {1, 0, -1}},
-                {.point = {-0.1, 0, 0.1}, .normal = {-1, 0, 1}}};
+  scene.cuts = {{.point = {0.1, 0, -0.1}, .normal = {1, 0, -1}, .group = 1},
+                {.point = {-0.1, 0, 0.1}, .normal = {-1, 0, 1}, .group = 1}};
   const auto is_left = [](const Vec3& p) {
     return dot(p, p) < 1 && std::fabs(p.x - p.z) < 0.2;
   };
   EXPECT_LT(wrong_shadows(scene, is_left), 0.01);
-  scene.defaults.shadows = Shadows::transparent;
-  EXPECT_LT(wrong_shadows(scene, is_left), 0.01);
+  EXPECT_LT(wrong_shadows(scene, is_left, Shadows::transparent), 0.01);
 }
 
 TEST(Cuts, AreUnknownToMirrorsIfForTheEyeOnly) {
   for (const bool eye_only : {false, true}) {
-    Scene scene = from_above(0.001, 5);
-    scene.camera.eye = {0, 0.5, 10};
+    Scene scene = from_above(0.1, 5);
+    scene.camera.eye.y = scene.camera.window_center.y = 0.5;
     scene.materials.push_back({.ambient = {}, .diffuse = {}, .reflection = 1});
     scene.background = {0.25, 0.25, 0.25};
     scene.spheres = {{Sphere{{0, 0, 0}, 1}, 0}};
+    scene.materials[0].cut_group = 1;
     scene.parallelograms = {{Parallelogram{{-9, -9, -3}, {18, 0, 0}, {0, 18, 0}}, 1}};
-    scene.cuts = {{.point = {}, .normal = {0, 1, 0}, .eye_only = eye_only}};
+    scene.cuts = {{.point = {}, .normal = {0, 1, 0}, .eye_only = eye_only, .group = 1}};
     EXPECT_EQ(rendered(scene).image.pixels[0], eye_only ? 1.0f : 0.25f);
   }
 }
@@ -277,12 +283,12 @@ TEST(Caps, CloseBodiesMeshesAndWhatStandsInGroups) {
   };
   EXPECT_NEAR(depth_at(-2, 0.03), 10, 1e-5);
   EXPECT_NEAR(depth_at(0.02, 0.03), 10, 1e-5);
-  EXPECT_NEAR(depth_at(2.03, 0.03), 10.5, 2e-3);
+  EXPECT_NEAR(depth_at(2.03, 0.03), 10.5, 5e-3);
 }
 
 TEST(Caps, LetLightInAndOutOfGlass) {
   for (const double side : {1.0, -1.0}) {
-    Scene scene = from_above(0.001, 5);
+    Scene scene = from_above(0.1, 5);
     scene.background = {1, 1, 1};
     scene.materials = {{.ambient = {}, .diffuse = {}, .refraction = 1, .ior = 1.5,
                         .absorption = {0.5, 1, 2}}};
@@ -295,22 +301,22 @@ TEST(Caps, LetLightInAndOutOfGlass) {
 }
 
 TEST(Caps, OfGlassLetLightThroughByWhatIsLeft) {
-  Scene scene = from_above(0.001, 5, 5);
+  Scene scene = from_above(0.01, 5, 5);
   scene.materials = {{.ambient = {}, .diffuse = {1, 1, 1}},
-                     {.ambient = {}, .diffuse = {}, .refraction = 0.8, .absorption = {1, 1, 1}}};
+                     {.ambient = {}, .diffuse = {}, .refraction = 0.8, .absorption = {1, 1, 1},
+                      .cut_group = 1}};
   scene.parallelograms = {{Parallelogram{{-50, -50, -5}, {100, 0, 0}, {0, 100, 0}}, 0}};
   scene.spheres = {{Sphere{{0, 0, 0}, 1}, 1}};
   scene.lights = {{.position = {}, .kind = LightKind::directional, .direction = {1, 0, -1}}};
-  scene.defaults.shadows = Shadows::transparent;
   RenderOptions options;
   options.shadows = Shadows::transparent;
   const double facing = 1 / std::sqrt(2);
   for (const auto& [cuts, length] :
        {std::pair(std::vector<Cut>{}, 2.0),
-        std::pair(std::vector<Cut>{{.point = {}, .normal = {1, 0, -1}}}, 1.0),
-        std::pair(std::vector<Cut>{{.point = {}, .normal = {-1, 0, 1}}}, 1.0),
-        std::pair(std::vector<Cut>{{.point = {0.1, 0, -0.1}, .normal = {1, 0, -1}},
-                                   {.point = {-0.1, 0, 0.1}, .normal = {-1, 0, 1}}},
+        std::pair(std::vector<Cut>{{.point = {}, .normal = {1, 0, -1}, .group = 1}}, 1.0),
+        std::pair(std::vector<Cut>{{.point = {}, .normal = {-1, 0, 1}, .group = 1}}, 1.0),
+        std::pair(std::vector<Cut>{{.point = {0.1, 0, -0.1}, .normal = {1, 0, -1}, .group = 1},
+                                   {.point = {-0.1, 0, 0.1}, .normal = {-1, 0, 1}, .group = 1}},
                   0.2 * std::sqrt(2))}) {
     scene.cuts = cuts;
     EXPECT_NEAR(rendered(scene, options).image.pixels[36], facing * 0.8 * std::exp(-length), 1e-4)
