@@ -286,6 +286,18 @@ TEST(Caps, CloseBodiesMeshesAndWhatStandsInGroups) {
   EXPECT_NEAR(depth_at(2.03, 0.03), 10.5, 5e-3);
 }
 
+TEST(Caps, ForTheEyeOnlyLieInTheLightAndMirrorIt) {
+  Scene scene = from_above(0.1, 5);
+  scene.materials = {{.ambient = {0.125, 0.125, 0.125}, .diffuse = {0.5, 0.5, 0.5},
+                      .reflection = 0.25}};
+  scene.background = {1, 1, 1};
+  scene.ambient_occlusion.samples = 16;
+  scene.spheres = {{Sphere{{0, 0, 0}, 1}, 0}};
+  scene.lights = {{.position = {}, .kind = LightKind::directional, .direction = {0, 0, -1}}};
+  scene.cuts = {{.point = {}, .normal = {0, 0, 1}, .eye_only = true}};
+  EXPECT_EQ(rendered(scene).image.pixels[36], 0.125f + 0.5f + 0.25f);
+}
+
 TEST(Caps, LetLightInAndOutOfGlass) {
   for (const double side : {1.0, -1.0}) {
     Scene scene = from_above(0.1, 5);
