@@ -147,6 +147,7 @@ inline void expect_equal(const Scene& a, const Scene& b) {
   for (std::size_t i = 0; i < a.lights.size(); ++i)
     EXPECT_EQ(a.lights[i], b.lights[i]) << "light " << i;
   EXPECT_EQ(a.sky, b.sky);
+  EXPECT_EQ(a.cuts, b.cuts);
   EXPECT_EQ(a.ambient_occlusion, b.ambient_occlusion);
   ASSERT_EQ(a.materials.size(), b.materials.size());
   for (std::size_t i = 0; i < a.materials.size(); ++i)

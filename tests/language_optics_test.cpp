@@ -133,6 +133,14 @@ TEST(LanguageOptics, AreWrittenAsTheyWereRead) {
         "dispersion = {cauchy = [1.5, 0.004, 0]}\nior = 1\n",
         "dispersion = {sellmeier = [1, 0.2, 1, 0.006, 0.02, 100]}\nior = 2\n"})
     expect_rewritten("[material.a]\n" + std::string(keys));
+  const std::string cuts =
+      "[material.a]\ncut_group = 3\n\n[[cut]]\npoint = [1, 2, 3]\nnormal = [0, 1, 1]\n"
+      "caps = false\neye_only = true\ngroup = 3\n\n[[cut]]\npoint = [0, 0, 0]\n";
+  expect_rewritten(cuts);
+  const Scene scene = scene_of(cuts);
+  ASSERT_EQ(scene.cuts.size(), 2u);
+  EXPECT_EQ(scene.cuts[0], (Cut{{1, 2, 3}, {0, 1, 1}, false, true, 3}));
+  EXPECT_EQ(scene.cuts[1], Cut{});
 }
 
 }  // namespace

@@ -114,6 +114,15 @@ inline std::vector<OpticsCase> optics_cases() {
     s.spheres.push_back({Sphere{{-0.3, 0.4, 0.9}, 0.5}, 4});
     o.max_depth = 6;
   });
+  add("cuts", [](Scene& s, RenderOptions& o) {
+    s.materials[1].absorption = {0.1, 0.4, 0.9};
+    s.materials[2].cut_group = 5;
+    s.cuts = {{.point = {0, 0, 0.6}, .normal = {0.3, 0.1, 1}, .eye_only = true},
+              {.point = {0.9, 0, 0}, .normal = {1, 0.2, 0}},
+              {.point = {0, 1.5, 0}, .normal = {0, 1, 0}, .caps = false, .group = 5}};
+    s.ambient_occlusion.samples = 4;
+    o.shadows = Shadows::transparent;
+  });
   add("dispersion", [](Scene& s, RenderOptions& o) {
     s.materials[1].dispersion = {Dispersion::Kind::abbe, {20}};
     s.materials[1].fresnel = Fresnel::exact;

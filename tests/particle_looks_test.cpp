@@ -150,6 +150,29 @@ TEST(ParticleScenes, ShowAllOfTheFile) {
   EXPECT_GT(widest, 0.35) << "and they fill it";
 }
 
+TEST(ParticleScenes, AreColoredByAColumnThatALegendExplains) {
+  const std::string csv = "x,y,z,heat\n0,0,0,-2\n1,0,0,1\n0,1,0,6\n";
+  const Result<ReadScene> read = parse_scene(csv, "p.csv", {.color_by = "heat", .color_map = "grey"});
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->legends.size(), 1u);
+  const ColorLegend& legend = read->legends[0];
+  EXPECT_EQ(legend.title, "heat");
+  EXPECT_EQ(legend.low, -2);
+  EXPECT_EQ(legend.high, 6);
+  ASSERT_EQ(legend.colors.size(), 256u);
+  EXPECT_EQ(legend.colors[255], 0xFFFFFFu);
+  EXPECT_EQ(read->scene.materials[read->scene.spheres[2].material].diffuse, linear_color(0xFFFFFF));
+  const auto problem = [&](const ReadOptions& options) {
+    const Result<ReadScene> failed = parse_scene(csv, "p.csv", options);
+    return failed ? std::string() : to_string(failed.error().front());
+  };
+  EXPECT_EQ(problem({.color_by = "heat", .color_map = "rainbow"}),
+            "p.csv: error: no map of colours is called 'rainbow'\n"
+            "  known are viridis, plasma, inferno, magma, coolwarm, grey\n");
+  EXPECT_NE(problem({.color_by = "cold"}).find("'cold'"), std::string::npos);
+  EXPECT_TRUE(parse_scene(csv, "p.csv")->legends.empty());
+}
+
 /// A folder with a file of particles in it.
 std::string folder() {
   static const std::string made = [] {
@@ -182,6 +205,20 @@ TEST(ParticlesOfScenes, AreSpheresAndCones) {
   EXPECT_EQ(scene.cones.size(), 2u + 12u);
   EXPECT_EQ(scene.materials.size(), 256u + 1u + 1u);
   expect_equal_again(shape_of("look = \"sticks\"\n"));
+  const Result<ReadScene> read =
+      parse_scene(shape_of("color_by = \"e\"\nrange = [0, 4]\n"), "s.toml", kHere);
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->legends.size(), 1u);
+  EXPECT_EQ(read->legends[0].title, "e");
+  EXPECT_EQ(read->legends[0].high, 4);
+}
+
+TEST(ParticlesOfScenes, HaveSolidBondsForCaps) {
+  const Scene scene = scene_of(shape_of("look = \"sticks\"\nsolid = true\n"), kHere);
+  EXPECT_EQ(scene.cones.size(), 0u);
+  ASSERT_EQ(scene.frustums.size(), 2u);
+  EXPECT_TRUE(scene.frustums[0].shape.caps);
+  EXPECT_EQ(scene.frustums[0].shape.top, (Vec3{0.5, 0, 0}));
 }
 
 TEST(ParticlesOfScenes, TakeMaterialsAndTransforms) {

@@ -79,6 +79,28 @@ TEST(Writers, BringScenesBackFromTachyon) {
   expect_equal(scene, through(through(through(scene, "toml"), "tachyon"), "toml"));
 }
 
+TEST(Writers, KeepCutsAsTachyonsClipGroups) {
+  Scene scene = held_by_tachyon();
+  scene.materials[1].cut_group = 1;
+  scene.cuts = {{.point = {0, 2, 0}, .normal = {0, 2, 0}, .caps = false, .group = 1},
+                {.point = {3, 0, 0}, .normal = {1, 0, 0}, .caps = false, .group = 1}};
+  EXPECT_EQ(losses(scene, "tachyon"),
+            "warning: lost in Tachyon: lights: that highlights fade, too\n");
+  const Scene again = through(scene, "tachyon");
+  ASSERT_GE(again.cuts.size(), 2u);
+  EXPECT_EQ(again.cuts[0], scene.cuts[0]);
+  EXPECT_EQ(again.cuts[1], scene.cuts[1]);
+  EXPECT_EQ(again.materials[again.spheres[0].material].cut_group, 0u);
+  EXPECT_EQ(again.materials[again.triangles[0].material].cut_group, 1u);
+  scene.cuts[0].caps = scene.cuts[0].eye_only = true;
+  EXPECT_NE(losses(scene, "tachyon").find("cuts: the caps that close bodies\n"),
+            std::string::npos);
+  EXPECT_NE(losses(scene, "tachyon").find("cuts: that they are for the eye only\n"),
+            std::string::npos);
+  EXPECT_NE(losses(scene, "povray").find("cuts (2 times)\n"), std::string::npos)
+      << losses(scene, "povray");
+}
+
 TEST(Writers, KeepTachyonsOwnFogSpotsAndLights) {
   Scene scene = held_by_tachyon();
   scene.fog = {Fog::Kind::exponential, 1, 9, 0.5, {0.5, 0.5, 0.5}, true};

@@ -68,6 +68,7 @@ void PovrayWriter::write_camera() {
 }
 
 void PovrayWriter::write_surroundings() {
+  losses_.count("cuts", scene_.cuts.size());
   const Sky& sky = scene_.sky;
   const Color background =
       sky.kind == Sky::Kind::image ? mean_of(scene_.textures[sky.texture]) : scene_.background;

@@ -206,6 +206,11 @@ Result<WrittenScene> TachyonWriter::write() {
   for (std::uint32_t i = 0; i < scene_.materials.size(); ++i)
     if (used_[i]) write_material(i);
   write_shapes(scene_, {});
+  clip({});
+  for (const Cut& cut : scene_.cuts) {
+    losses_.count("cuts: the caps that close bodies", cut.caps);
+    losses_.count("cuts: that they are for the eye only", cut.eye_only);
+  }
   put("END_SCENE\n");
   losses_.count("names", scene_.names.size());
   RenderDefaults held{.profile = ProfileName::tachyon};

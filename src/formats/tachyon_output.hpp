@@ -74,6 +74,8 @@ class TachyonWriter {
   void write_ring(const Vec3& center, const Vec3& normal, double inner, double outer,
                   const Place& place);
   void write_triangles(const AnyBody& body, const Place& place);
+  void clip(std::vector<const Cut*> planes);
+  std::vector<const Cut*> planes_of(const Material& material) const;
   void end(const Place& place) { put("{}\n", names_[place.material]); }
 
   const Scene& scene_;
@@ -83,6 +85,7 @@ class TachyonWriter {
   std::vector<std::string> names_;    ///< of materials
   std::vector<bool> shines_;          ///< materials of lights' own spheres
   std::vector<double> group_shapes_;  ///< in each group, with its instances' own; -1: not counted
+  std::vector<const Cut*> clipped_;   ///< the planes of the clip group that is open
   double occlusion_ = 0;  ///< the ambient share that AMBIENT_COLOR has, 0: materials' own
   Color occlusion_color_{1, 1, 1};
 };

@@ -39,6 +39,25 @@ Frustum solid(const Cone& s) {
 
 }  // namespace
 
+std::vector<const Cut*> TachyonWriter::planes_of(const Material& material) const {
+  std::vector<const Cut*> planes;
+  for (const Cut& cut : scene_.cuts)
+    if (cut.group == 0 || cut.group == material.cut_group) planes.push_back(&cut);
+  return planes;
+}
+
+/// What follows is clipped by these planes.
+void TachyonWriter::clip(std::vector<const Cut*> planes) {
+  if (planes == clipped_) return;
+  if (!clipped_.empty()) put("END_CLIPGROUP\n");
+  clipped_ = std::move(planes);
+  if (clipped_.empty()) return;
+  put("START_CLIPGROUP NUMPLANES {}", clipped_.size());
+  for (const Cut* const cut : clipped_)
+    put(" {} {} {} {}", cut->normal.x, cut->normal.y, cut->normal.z, dot(cut->normal, cut->point));
+  put("\n");
+}
+
 void TachyonWriter::write_triangles(const AnyBody& body, const Place& place) {
   for (const SmoothTriangle& t : tessellated(body)) write(t, place);
 }
@@ -175,6 +194,7 @@ void TachyonWriter::write_all(const std::vector<Object<Shape>>& objects, const P
     // Primitives are moved already.
     if (is_body<Shape> && object.transform != 0)
       own.transform = then(scene_.transforms[object.transform - 1], place.transform);
+    if (!scene_.cuts.empty()) clip(planes_of(scene_.materials[own.material]));
     write(object.shape, own);
   }
 }
@@ -202,6 +222,7 @@ void TachyonWriter::write_shapes(const ShapeLists& shapes, const Place& place) {
         continue;
       Place own = place;
       own.material = object.material;
+      if (!scene_.cuts.empty()) clip(planes_of(scene_.materials[own.material]));
       write(object.shape, own);
     }
   } else {
