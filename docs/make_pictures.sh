@@ -83,6 +83,14 @@ write_thresholds() {
   cmp -s "$folder/page" "$1" || cp "$folder/page" "$1"
 }
 
+# draw_particles NAME OPTION…: a file of examples, by options of the command line.
+draw_particles() {
+  local name=$1
+  shift
+  mkdir -p pictures/particles
+  "$zraka" render "examples/$name" -o "pictures/particles/${name%.*}.png" -q "$@"
+}
+
 write_tables shapes.md '[[shape]]'
 write_tables textures.md '[texture.NAME]'
 write_tables lights.md '[[light]]'
@@ -90,4 +98,6 @@ draw shapes.md shapes
 draw textures.md shapes
 draw lights.md lights
 draw glass.md glass
+draw_particles caffeine.xyz --width 640 --depth-cue --outlines 2 --quality good
+draw_particles cluster.csv --width 640 --cut 0.3,0.2,1,0.5 --color-by temperature --color-map plasma --outlines 1
 write_thresholds depth.md

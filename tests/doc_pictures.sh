@@ -8,7 +8,7 @@
 cp -r docs scenes "$folder/"
 docs=$folder/docs
 pages="shapes textures lights glass depth"
-folders="shapes lights glass"
+folders="shapes lights glass particles"
 for drawn in $folders; do rm -f "$docs/pictures/$drawn"/*; done
 bash "$docs/make_pictures.sh" "$zraka" >"$folder/words" 2>&1 || fail "docs/make_pictures.sh: $(cat "$folder/words")"
 for page in $pages; do

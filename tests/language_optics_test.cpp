@@ -141,6 +141,7 @@ TEST(LanguageOptics, AreWrittenAsTheyWereRead) {
   ASSERT_EQ(scene.cuts.size(), 2u);
   EXPECT_EQ(scene.cuts[0], (Cut{{1, 2, 3}, {0, 1, 1}, false, true, 3}));
   EXPECT_EQ(scene.cuts[1], Cut{});
+  EXPECT_EQ(scene.materials.at(0).cut_group, 3u);
 }
 
 }  // namespace
