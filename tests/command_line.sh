@@ -108,6 +108,42 @@ exactly 0 "$molecule: note: 24 particles; light, camera and colours are chosen h
 gzip -c "$molecule" | "$zraka" render - -o "$folder/unpacked.png" --width 64 -q || fail "gzip on standard input"
 cmp -s "$folder/molecule.png" "$folder/unpacked.png" || fail "gzip gives another picture"
 
+# Cuts, depth, outlines and legends; what does not go together is said.
+cluster=docs/examples/cluster.csv
+"$zraka" render "$cluster" -o "$folder/plain.ppm" --width 64 -q --color-by temperature || fail "--color-by"
+for look in "--cut=-1,0,0,-2.5" "--cut 0,0,1,0,1,0,0,3 --cut-eye-only" --depth-cue "--outlines 2" "--color-map grey"; do
+  # shellcheck disable=SC2086
+  "$zraka" render "$cluster" -o "$folder/look.ppm" --width 64 -q --color-by temperature $look || fail "$look"
+  cmp -s "$folder/plain.ppm" "$folder/look.ppm" && fail "$look changes nothing"
+done
+if fc-match -f '%{file}' sans:bold >"$folder/font"; then
+  "$zraka" render "$cluster" -o "$folder/legend.ppm" --width 64 -q --color-by temperature --legend || fail "--legend"
+  python3 - "$folder/plain.ppm" "$folder/legend.ppm" <<'END' || fail "--legend is not beside the picture"
+import sys
+
+def rows(path):
+    magic, width, height, most, pixels = open(path, "rb").read().split(maxsplit=4)
+    width = 3 * int(width)
+    return width, [pixels[i:i + width] for i in range(0, len(pixels), width)]
+
+(width, plain), (wider, legend) = rows(sys.argv[1]), rows(sys.argv[2])
+sys.exit(wider <= width or any(row[:width] != own for row, own in zip(legend, plain)))
+END
+fi
+expect 2 "--cut: '0,0,0,1' is not X,Y,Z,D with commas between the numbers" "$zraka" render "$cluster" -o "$folder/x.png" --cut 0,0,0,1
+expect 2 "--cut-eye-only is for --cut, which is not there" "$zraka" explain "$cluster" 1 1 --cut-eye-only
+expect 2 "--color-map is for --color-by with a column" "$zraka" render "$cluster" -o "$folder/x.png" --color-map grey
+expect 2 "--legend makes the picture wider: it does not go with --transparent" \
+  "$zraka" render "$cluster" -o "$folder/x.png" --legend --transparent
+expect 1 "there are no colours that --legend could explain" "$zraka" render "$cluster" -o "$folder/x.png" --legend
+expect 1 "--color-by is for files of particles alone" "$zraka" render "$scene" -o "$folder/x.png" --color-by temperature
+printf '[scene]\nfog = {kind = "linear", start = 1, end = 9, color = 1}\n[[shape]]\nkind = "plane"\npoint = [0, -1, 0]\nnormal = [0, 1, 0]\n' >"$folder/fog.toml"
+expect 1 "the scene has fog, and --depth-cue would be another" "$zraka" render "$folder/fog.toml" -o "$folder/x.png" --depth-cue
+sed -i 1,2d "$folder/fog.toml"
+expect 1 "nothing is in front of the eye that could fade" "$zraka" render "$folder/fog.toml" -o "$folder/x.png" --depth-cue
+expect 0 "this is the cap of cut 1" "$zraka" explain "$cluster" 640 360 --cut 0,0,1,0.1 -q
+expect 0 "An outline goes over this pixel" "$zraka" explain "$scene" 0 0 --width 2 --height 2 --outlines 8
+
 # Scenes of other programs, by what they hold.
 for model in scenes/gltf/octahedra.gltf scenes/nff/benzene.nff scenes/tachyon/water.dat; do
   "$zraka" info "$model" 2>/dev/null >"$folder/named"

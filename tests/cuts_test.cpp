@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <functional>
+#include <limits>
 #include <zraka/render.hpp>
 
 namespace zraka {
@@ -135,9 +135,11 @@ TEST(Cuts, CastTheShadowOfWhatIsLeftUnlessForTheEyeOnly) {
                      .normal = {way, 0, 0},
                      .eye_only = eye_only,
                      .group = way > 0 ? 1u : 0u}};  // where the floor lies, everything is left
-      EXPECT_LT(wrong_shadows(scene, [&](const Vec3& p) {
-        return dot(p, p) < 1 && (eye_only || way * (p.x - 0.2) <= 0);
-      }), 0.01);
+      EXPECT_LT(wrong_shadows(scene,
+                              [&](const Vec3& p) {
+                                return dot(p, p) < 1 && (eye_only || way * (p.x - 0.2) <= 0);
+                              }),
+                0.01);
     }
 }
 
@@ -146,9 +148,7 @@ TEST(Cuts, CastTheShadowOfASlabBetweenTwoCaps) {
   Scene scene = floor_in_light();
   scene.cuts = {{.point = {0.1, 0, -0.1}, .normal = {1, 0, -1}, .group = 1},
                 {.point = {-0.1, 0, 0.1}, .normal = {-1, 0, 1}, .group = 1}};
-  const auto is_left = [](const Vec3& p) {
-    return dot(p, p) < 1 && std::fabs(p.x - p.z) < 0.2;
-  };
+  const auto is_left = [](const Vec3& p) { return dot(p, p) < 1 && std::fabs(p.x - p.z) < 0.2; };
   EXPECT_LT(wrong_shadows(scene, is_left), 0.01);
   EXPECT_LT(wrong_shadows(scene, is_left, Shadows::transparent), 0.01);
 }
@@ -238,10 +238,10 @@ TEST(Caps, AreThereByTheDefinitionOfWhatIsLeft) {
   scene.camera = {{1.5, 2, 4}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
   scene.materials = {{}};
   for (int i = 0; i < 30; ++i)
-    scene.spheres.push_back({Sphere{{std::sin(12.9 * i), std::sin(78.2 * i + 1),
-                                     std::sin(37.7 * i + 2)},
-                                    0.15 + 0.02 * i},
-                             0});
+    scene.spheres.push_back(
+        {Sphere{{std::sin(12.9 * i), std::sin(78.2 * i + 1), std::sin(37.7 * i + 2)},
+                0.15 + 0.02 * i},
+         0});
   for (const std::vector<Cut>& cuts :
        {std::vector<Cut>{{.point = {0, 0, 0.1}, .normal = {0.2, 0.3, 1}}},
         std::vector<Cut>{{.point = {0, 0, 0.3}, .normal = {0, 0, 1}},
@@ -268,8 +268,8 @@ TEST(Caps, CloseBodiesMeshesAndWhatStandsInGroups) {
   scene.boxes = {{Box{{-2.5, -2, -1}, {-1.5, 2, 1}}, 0}};
   Group group;
   const Vec3 a{-0.5, -0.5, -0.8}, b{0.5, -0.5, -0.8}, c{0, 0.6, -0.8}, d{0, 0, 0.8};
-  for (const auto& [p, q, r] : {std::array{a, c, b}, std::array{a, b, d}, std::array{b, c, d},
-                                std::array{c, a, d}})
+  for (const auto& [p, q, r] :
+       {std::array{a, c, b}, std::array{a, b, d}, std::array{b, c, d}, std::array{c, a, d}})
     group.triangles.push_back({Triangle{p, q, r}, 0});
   scene.groups.push_back(std::move(group));
   scene.instances = {{Instance{0}, 0}};
@@ -288,8 +288,8 @@ TEST(Caps, CloseBodiesMeshesAndWhatStandsInGroups) {
 
 TEST(Caps, ForTheEyeOnlyLieInTheLightAndMirrorIt) {
   Scene scene = from_above(0.1, 5);
-  scene.materials = {{.ambient = {0.125, 0.125, 0.125}, .diffuse = {0.5, 0.5, 0.5},
-                      .reflection = 0.25}};
+  scene.materials = {
+      {.ambient = {0.125, 0.125, 0.125}, .diffuse = {0.5, 0.5, 0.5}, .reflection = 0.25}};
   scene.background = {1, 1, 1};
   scene.ambient_occlusion.samples = 16;
   scene.spheres = {{Sphere{{0, 0, 0}, 1}, 0}};
@@ -302,8 +302,8 @@ TEST(Caps, LetLightInAndOutOfGlass) {
   for (const double side : {1.0, -1.0}) {
     Scene scene = from_above(0.1, 5);
     scene.background = {1, 1, 1};
-    scene.materials = {{.ambient = {}, .diffuse = {}, .refraction = 1, .ior = 1.5,
-                        .absorption = {0.5, 1, 2}}};
+    scene.materials = {
+        {.ambient = {}, .diffuse = {}, .refraction = 1, .ior = 1.5, .absorption = {0.5, 1, 2}}};
     scene.spheres = {{Sphere{{0, 0, 0}, 1}, 0}};
     scene.cuts = {{.point = {}, .normal = {0, 0, side}}};
     const Rendering picture = rendered(scene);
@@ -314,9 +314,9 @@ TEST(Caps, LetLightInAndOutOfGlass) {
 
 TEST(Caps, OfGlassLetLightThroughByWhatIsLeft) {
   Scene scene = from_above(0.01, 5, 5);
-  scene.materials = {{.ambient = {}, .diffuse = {1, 1, 1}},
-                     {.ambient = {}, .diffuse = {}, .refraction = 0.8, .absorption = {1, 1, 1},
-                      .cut_group = 1}};
+  scene.materials = {
+      {.ambient = {}, .diffuse = {1, 1, 1}},
+      {.ambient = {}, .diffuse = {}, .refraction = 0.8, .absorption = {1, 1, 1}, .cut_group = 1}};
   scene.parallelograms = {{Parallelogram{{-50, -50, -5}, {100, 0, 0}, {0, 100, 0}}, 0}};
   scene.spheres = {{Sphere{{0, 0, 0}, 1}, 1}};
   scene.lights = {{.position = {}, .kind = LightKind::directional, .direction = {1, 0, -1}}};
@@ -344,8 +344,8 @@ TEST(Cuts, HaveTheSameBitsHoweverTheyAreRendered) {
   scene.materials[0].ambient = {0.3, 0.3, 0.3};
   scene.materials[0].reflection = 0.3;
   for (int i = 0; i < 40; ++i)
-    scene.spheres.push_back({Sphere{{std::sin(12.9 * i), std::sin(78.2 * i + 1),
-                                     std::sin(37.7 * i + 2)}, 0.3}, 0});
+    scene.spheres.push_back(
+        {Sphere{{std::sin(12.9 * i), std::sin(78.2 * i + 1), std::sin(37.7 * i + 2)}, 0.3}, 0});
   scene.cuts = {{.point = {0, 0, 0.2}, .normal = {0.1, 0, 1}, .eye_only = true},
                 {.point = {0.4, 0, 0}, .normal = {1, 0, 0}}};
   RenderOptions options;

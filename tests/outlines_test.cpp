@@ -53,9 +53,9 @@ TEST(Outlines, GoRoundWhatIsSeen) {
           for (int i = x - width / 2; i <= x + (width - 1) / 2; ++i)
             line = line || (i >= 0 && j >= 0 && i < 39 && in_disc(i, j) != in_disc(i + 1, j)) ||
                    (i >= 0 && j >= 0 && j < 39 && in_disc(i, j) != in_disc(i, j + 1));
-        EXPECT_EQ(is_black(picture.image, static_cast<std::uint32_t>(x),
-                           static_cast<std::uint32_t>(y)),
-                  line)
+        EXPECT_EQ(
+            is_black(picture.image, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)),
+            line)
             << x << ", " << y << ", " << width;
       }
   }
@@ -153,9 +153,9 @@ TEST(ExplainedCuts, SayWhichCapIsSeen) {
     const std::string english = eye_only
                                     ? "this is the cap of cut 2, which only rays from the eye see"
                                     : "this is the cap of cut 2, not a surface of its own";
-    const std::string croatian =
-        eye_only ? "ovo je presječna ploha reza 2, koji vide samo zrake iz oka"
-                 : "ovo je presječna ploha reza 2, a ne površina tijela";
+    const std::string croatian = eye_only
+                                     ? "ovo je presječna ploha reza 2, koji vide samo zrake iz oka"
+                                     : "ovo je presječna ploha reza 2, a ne površina tijela";
     EXPECT_NE(to_text(cap, {}).find(english), std::string::npos) << to_text(cap, {});
     EXPECT_NE(to_text(cap, {.language = Language::croatian}).find(croatian), std::string::npos);
     const PagePictures pictures{Image(4, 4), {0, 0, Image(4, 4)}};

@@ -152,7 +152,8 @@ TEST(ParticleScenes, ShowAllOfTheFile) {
 
 TEST(ParticleScenes, AreColoredByAColumnThatALegendExplains) {
   const std::string csv = "x,y,z,heat\n0,0,0,-2\n1,0,0,1\n0,1,0,6\n";
-  const Result<ReadScene> read = parse_scene(csv, "p.csv", {.color_by = "heat", .color_map = "grey"});
+  const Result<ReadScene> read =
+      parse_scene(csv, "p.csv", {.color_by = "heat", .color_map = "grey"});
   ASSERT_TRUE(read);
   ASSERT_EQ(read->legends.size(), 1u);
   const ColorLegend& legend = read->legends[0];

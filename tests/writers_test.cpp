@@ -93,8 +93,7 @@ TEST(Writers, KeepCutsAsTachyonsClipGroups) {
   EXPECT_EQ(again.materials[again.spheres[0].material].cut_group, 0u);
   EXPECT_EQ(again.materials[again.triangles[0].material].cut_group, 1u);
   scene.cuts[0].caps = scene.cuts[0].eye_only = true;
-  EXPECT_NE(losses(scene, "tachyon").find("cuts: the caps that close bodies\n"),
-            std::string::npos);
+  EXPECT_NE(losses(scene, "tachyon").find("cuts: the caps that close bodies\n"), std::string::npos);
   EXPECT_NE(losses(scene, "tachyon").find("cuts: that they are for the eye only\n"),
             std::string::npos);
   EXPECT_NE(losses(scene, "povray").find("cuts (2 times)\n"), std::string::npos)

@@ -149,8 +149,8 @@ Result<Image> with_legends(const Image& picture, const std::vector<ColorLegend>&
   const Strip strip(all, is_dark ? 0.85f : 0.0f);
   const int each = height / static_cast<int>(bars.size());
   for (std::size_t i = 0; i < bars.size(); ++i)
-    draw(bars[i], strip, static_cast<int>(picture.width) + unit,
-         each * static_cast<int>(i) + unit, each - 2 * unit, unit, transfer);
+    draw(bars[i], strip, static_cast<int>(picture.width) + unit, each * static_cast<int>(i) + unit,
+         each - 2 * unit, unit, transfer);
   return all;
 }
 

@@ -46,8 +46,9 @@ void LookArguments::add_to(Command& command) {
       .add("--cut", &cut,
            "X,Y,Z,D: take away what lies farther than D along (X, Y, Z), and close what is cut "
            "open; several cuts one after the other")
-      .check("X,Y,Z,D with commas between the numbers, or several such, where X, Y, Z are not all 0",
-             [](const std::string& list) { return cuts_in(list, false).has_value(); });
+      .check(
+          "X,Y,Z,D with commas between the numbers, or several such, where X, Y, Z are not all 0",
+          [](const std::string& list) { return cuts_in(list, false).has_value(); });
   command.add("--cut-eye-only", &cut_eye_only,
               "mirrors, glass and shadows know nothing of what --cut takes away");
   command.add("--depth-cue", &depth_cue, "what is farther away fades into the background");

@@ -11,8 +11,8 @@
 
 namespace zraka {
 
-/// Whether it is a cap; the way to the shape, through the members of a CSG shape, and into its own space; no lines for
-/// most hits.
+/// Whether it is a cap; the way to the shape, through the members of a CSG shape, and into its own
+/// space; no lines for most hits.
 std::vector<std::string> place_lines(Language language, const ExplainedHit& hit);
 
 /// Whether a texture bends the normal; "" where none is asked.

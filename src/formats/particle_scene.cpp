@@ -102,8 +102,8 @@ Result<ReadScene> parse_particle_scene(std::string_view bytes, const std::string
   const bool has_more = particles->has_more;
   ReadScene read;
   Scene& scene = read.scene;
-  Result<AddedParticles> added = add_particles(std::move(*particles), style, particle_material(),
-                                               0, name, scene, scene);
+  Result<AddedParticles> added =
+      add_particles(std::move(*particles), style, particle_material(), 0, name, scene, scene);
   if (!added) return tl::make_unexpected(added.error());
   if (added->legend) read.legends.push_back(std::move(*added->legend));
   const Bounds box = bounds_of(scene);

@@ -28,7 +28,7 @@ struct ParticleStyle {
   std::string color_by{};
   ColorMap color_map = ColorMap::viridis;
   std::optional<std::array<double, 2>> range{};  ///< of the numbers; else from least to most
-  bool solid = false;  ///< bonds are closed, so that cuts have caps there
+  bool solid = false;                            ///< bonds are closed, so that cuts have caps there
   bool cell = false;                             ///< whether the edges of the cell are drawn
   bool one_material = false;  ///< whatever the file says: all are of the material given
 };

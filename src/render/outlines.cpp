@@ -69,8 +69,8 @@ TileRect widened(const TileRect& part, std::int32_t before, std::int32_t after,
                  const Resolution& picture) {
   const auto side = [&](std::int32_t start, std::int32_t size, std::uint32_t all) {
     const std::int32_t first = std::max(start - before, 0);
-    const auto end = static_cast<std::int32_t>(
-        std::min<std::int64_t>(std::int64_t{start} + size + after, all));
+    const auto end =
+        static_cast<std::int32_t>(std::min<std::int64_t>(std::int64_t{start} + size + after, all));
     return std::pair(first, end - first);
   };
   const auto [x, width] = side(part.x, part.width, picture.width);
@@ -90,7 +90,7 @@ bool find_outlines(const LayerPass<R>& pass, const TileRect& part, std::vector<b
     options.layers.add(layer);
   // The lines that reach into the part begin so far around it.
   const TileRect around = widened(part, after, before + 1, pass.job.resolution);
-  const PictureJob<R> job{pass.job.scene, pass.job.kernel, pass.job.settings,
+  const PictureJob<R> job{pass.job.scene, pass.job.kernel,     pass.job.settings,
                           options,        pass.job.resolution, around,
                           pass.job.tile,  pass.job.threads};
   Layers layers;

@@ -53,8 +53,7 @@ bool add_depth_cue(Scene& scene) {
   constexpr double kLeft = 0.2;
   const Vec3 &eye = scene.camera.eye, &center = scene.camera.window_center;
   Vec3 ahead{center.x - eye.x, center.y - eye.y, center.z - eye.z};
-  const double length =
-      std::sqrt(ahead.x * ahead.x + ahead.y * ahead.y + ahead.z * ahead.z);
+  const double length = std::sqrt(ahead.x * ahead.x + ahead.y * ahead.y + ahead.z * ahead.z);
   if (!(length > 0)) return false;
   ahead = {ahead.x / length, ahead.y / length, ahead.z / length};
   const Depths depths = depths_of(scene, ahead);

@@ -89,8 +89,11 @@ template <class R>
 typename CutWalks<R>::Walk CutWalks<R>::walk_of(std::size_t h) const {
   const auto of = static_cast<std::size_t>(level_.hits.ray[h]);
   const std::size_t ray = static_cast<std::size_t>(level_.done) + of;
-  Walk walk{h, of, three(level_.rays.ox, level_.rays.oy, level_.rays.oz, ray),
-            three(level_.rays.dx, level_.rays.dy, level_.rays.dz, ray), {},
+  Walk walk{h,
+            of,
+            three(level_.rays.ox, level_.rays.oy, level_.rays.oz, ray),
+            three(level_.rays.dx, level_.rays.dy, level_.rays.dz, ray),
+            {},
             rays_ == nullptr || rays_[ray].sees_cuts};
   walk.at = static_cast<double>(scratch_.t[of]);
   return walk;
@@ -108,9 +111,9 @@ template <class R>
 void CutWalks<R>::add_onward(std::size_t h) {
   Walk walk = walk_of(h);
   walk.passed = walk.at;
-  walk.origin = three(scratch_.px, scratch_.py, scratch_.pz, h) -
-                three(scratch_.nx, scratch_.ny, scratch_.nz, h) *
-                    static_cast<double>(scratch_.offset[h]);
+  walk.origin =
+      three(scratch_.px, scratch_.py, scratch_.pz, h) -
+      three(scratch_.nx, scratch_.ny, scratch_.nz, h) * static_cast<double>(scratch_.offset[h]);
   general_.caps[h] = -1;
   walks_.push_back(std::move(walk));
 }
@@ -152,8 +155,8 @@ template <class R>
 void CutWalks<R>::meet(Walk& walk, const Scratch<R>& found, std::size_t i, std::int32_t slot) {
   const V3<double> point = three(found.px, found.py, found.pz, i);
   const OpticalMaterial& material = optics_.materials[found.material[i]];
-  walk.origin = point - three(found.nx, found.ny, found.nz, i) *
-                            static_cast<double>(found.offset[i]);
+  walk.origin =
+      point - three(found.nx, found.ny, found.nz, i) * static_cast<double>(found.offset[i]);
   const bool solid = optics_.has_caps && is_solid(scene_, found.paths[i]);
   if (walk.at < walk.nearest && !is_cut(optics_, material, point, walk.sees_all)) {
     walk.nearest = walk.at;
@@ -182,8 +185,7 @@ void CutWalks<R>::meet_solid(Walk& walk, const Scratch<R>& found, std::size_t i,
     if (entered.body == body) since = entered.at;
   std::erase_if(walk.entered, [&](const Entered& entered) { return entered.body == body; });
   const OpticalMaterial& material = optics_.materials[found.material[i]];
-  const KeptPart kept =
-      kept_part(optics_, &material, walk.start, walk.direction, walk.sees_all);
+  const KeptPart kept = kept_part(optics_, &material, walk.start, walk.direction, walk.sees_all);
   const double first = std::fmax(std::fmax(since, kept.enter), walk.passed);
   const double last = std::fmin(walk.at, kept.leave);
   if (!(first < last)) return;
@@ -241,9 +243,9 @@ template <class R>
 std::int64_t CutWalks<R>::id_of(const HitPath& path) const {
   const auto& bodies = scene_.bodies;
   if (path.depth > 0) return bodies.id[path.instance[0]];
-#define ZRAKA_IF(Type, plural)                                                     \
-  if (const std::int32_t at = path.slot - scene_.plural.first_slot;                \
-      at >= 0 && at < scene_.plural.count)                                         \
+#define ZRAKA_IF(Type, plural)                                      \
+  if (const std::int32_t at = path.slot - scene_.plural.first_slot; \
+      at >= 0 && at < scene_.plural.count)                          \
     return scene_.plural.id[at];
   ZRAKA_KINDS(ZRAKA_IF)
 #undef ZRAKA_IF
@@ -321,11 +323,11 @@ void find_uncut_hits(const FrozenScene<R>& scene, const Services<R>& services, L
   drop_lost_hits(level, scratch, general.caps);
 }
 
-#define ZRAKA_FOR(R)                                                                           \
-  template bool is_solid(const FrozenScene<R>&, const HitPath&);                               \
-  template void copy_hit(const Scratch<R>&, std::size_t, Scratch<R>&, std::size_t);            \
-  template class CutWalks<R>;                                                                  \
-  template void drop_lost_hits(Level<R>&, Scratch<R>&, std::vector<std::int32_t>&);            \
+#define ZRAKA_FOR(R)                                                                               \
+  template bool is_solid(const FrozenScene<R>&, const HitPath&);                                   \
+  template void copy_hit(const Scratch<R>&, std::size_t, Scratch<R>&, std::size_t);                \
+  template class CutWalks<R>;                                                                      \
+  template void drop_lost_hits(Level<R>&, Scratch<R>&, std::vector<std::int32_t>&);                \
   template void find_uncut_hits(const FrozenScene<R>&, const Services<R>&, Level<R>&, Scratch<R>&, \
                                 GeneralWorkspace<R>&);
 ZRAKA_FOR(float)

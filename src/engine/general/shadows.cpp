@@ -25,8 +25,8 @@ struct Walk {
 double length_in(const FrozenOptics& optics, std::int32_t material, const Walk& walk, double from,
                  double to) {
   if (optics.cut_count == 0) return to - from;
-  const KeptPart kept = kept_part(optics, &optics.materials[material], walk.start, walk.direction,
-                                  walk.sees_cuts);
+  const KeptPart kept =
+      kept_part(optics, &optics.materials[material], walk.start, walk.direction, walk.sees_cuts);
   return std::fmax(0, std::fmin(to, kept.leave) - std::fmax(from, kept.enter));
 }
 
@@ -42,10 +42,9 @@ bool has_crossed_caps(const FrozenOptics& optics, const OpticalMaterial& materia
   for (const auto& [entered, at] : walk.entered)
     if (entered == body) since = at;
   std::erase_if(walk.entered, [&](const auto& entered) { return entered.first == body; });
-  const KeptPart kept =
-      kept_part(optics, &material, walk.start, walk.direction, walk.sees_cuts);
-  return since < kept.enter && kept.enter > 0 &&
-         kept.enter < std::fmin(kept.leave, walk.walked) && optics.cuts[kept.at_enter].caps;
+  const KeptPart kept = kept_part(optics, &material, walk.start, walk.direction, walk.sees_cuts);
+  return since < kept.enter && kept.enter > 0 && kept.enter < std::fmin(kept.leave, walk.walked) &&
+         optics.cuts[kept.at_enter].caps;
 }
 
 /// Moves a ray from what is cut away to where something is left; false if it never gets there.
@@ -152,8 +151,7 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
         if (batch.optics().absorbing) {
           const std::int32_t medium = medium_of(walk.inside, materials);
           if (medium >= 0 && materials[medium].absorbs()) {
-            passed.length =
-                length_in(batch.optics(), medium, walk, walk.walked - t, walk.walked);
+            passed.length = length_in(batch.optics(), medium, walk, walk.walked - t, walk.walked);
             passed.transmittance =
                 narrowed<R>(transmittance_of(materials[medium].absorption, passed.length));
             filter = filter * passed.transmittance;
