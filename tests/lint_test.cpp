@@ -57,6 +57,17 @@ TEST(Lint, FindsEyesAndLightsInSpheres) {
   EXPECT_EQ(warnings(scene), "");
 }
 
+TEST(Lint, FindsCutsOfNothingAndLetsEyesIntoWhatIsTakenAway) {
+  Scene scene = plain_scene();
+  add_sphere(scene, {0, 0, 0}, 10, {});
+  scene.lights[0].position = {20, 0, 0};
+  scene.cuts = {{.point = {0, 0, -1}, .normal = {0, 0, 1}}, {.point = {}, .group = 4}};
+  EXPECT_EQ(warnings(scene),
+            "warning: cut 2: it cuts nothing, as no material has the cut_group 4\n");
+  scene.cuts = {{.point = {0, 0, -1}, .normal = {0, 0, -1}}};
+  EXPECT_EQ(warnings(scene), "warning: the eye is inside sphere 2\n");
+}
+
 TEST(Lint, FindsEyesAndLightsInAllClosedBodies) {
   const Frustum cone{{0, 0, 0}, 1, {0, 4, 0}, 0};
   const Frustum tube{{0, 0, 0}, 1, {0, 4, 0}, 1, false};

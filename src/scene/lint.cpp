@@ -172,6 +172,27 @@ void lint_lights(const Scene& scene, Diagnostics& all) {
       });
 }
 
+/// Whether a cut takes a place away of what is of a material.
+bool is_cut_away(const Scene& scene, std::uint32_t material, const Vec3& place) {
+  return std::any_of(scene.cuts.begin(), scene.cuts.end(), [&](const Cut& cut) {
+    const bool concerns = cut.group == 0 || (material < scene.materials.size() &&
+                                             scene.materials[material].cut_group == cut.group);
+    return concerns && dot(cut.normal, minus(place, cut.point)) > 0;
+  });
+}
+
+void lint_cuts(const Scene& scene, Diagnostics& all) {
+  Warnings useless(all);
+  for (std::size_t i = 0; i < scene.cuts.size(); ++i)
+    if (const std::uint32_t group = scene.cuts[i].group;
+        group != 0 && std::none_of(scene.materials.begin(), scene.materials.end(),
+                                   [&](const Material& m) { return m.cut_group == group; }))
+      useless.say([&] {
+        return fmt::format("cut {}: it cuts nothing, as no material has the cut_group {}", i + 1,
+                           group);
+      });
+}
+
 void lint_insides(const Scene& scene, Diagnostics& all) {
   Warnings eyes(all), lights(all);
   const Insides insides(scene);
@@ -179,7 +200,8 @@ void lint_insides(const Scene& scene, Diagnostics& all) {
   const auto look = [&](const char* name, const auto& objects) {
     for (std::uint32_t i = 0; i < objects.size(); ++i) {
       const auto body = [&] { return name_of(scene, name, {kind, i}); };
-      if (insides.has(objects[i], scene.camera.eye))
+      if (insides.has(objects[i], scene.camera.eye) &&
+          !is_cut_away(scene, objects[i].material, scene.camera.eye))
         eyes.say([&] { return fmt::format("the eye is inside {}", body()); });
       for (std::size_t l = 0; l < scene.lights.size(); ++l)
         if (const auto point = point_of(scene.lights[l]); point && insides.has(objects[i], *point))
@@ -305,6 +327,7 @@ void lint_places(const Scene& scene, Diagnostics& all) {
 Diagnostics lint(const Scene& scene) {
   Diagnostics all;
   lint_materials(scene, all);
+  lint_cuts(scene, all);
   lint_insides(scene, all);
   lint_priorities(scene, all);
   lint_lights(scene, all);
