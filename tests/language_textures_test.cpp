@@ -234,7 +234,7 @@ TEST(LanguageHints, KnowWhatIsMeantAtTheTopOfAFile) {
   EXPECT_EQ(hint("width = 5\n"), "write width = … below [image]");
   EXPECT_EQ(hint("[lights]\n"), "did you mean 'light'?");
   EXPECT_EQ(hint("[bogus]\n"),
-            "sections: image, camera, render, texture, scene, light, material, group, shape");
+            "sections: image, camera, render, texture, scene, cut, light, material, group, shape");
   EXPECT_EQ(hint("[camera]\nfov = 40\n"), "did you mean 'fov_deg'?");
   EXPECT_EQ(hint("[render]\ndepth = 4\n"), "did you mean 'max_depth'?");
 }
