@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Black lines where objects, depths or edges meet; and what is said of cuts and of such lines.
+// Black lines where objects, depths or edges meet, the depth cue, and what is said of cuts and lines.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include "explain/json.hpp"
 #include "explain/page.hpp"
 #include "explain/text.hpp"
+#include "scene/depth_cue.hpp"
 
 namespace zraka {
 namespace {
@@ -139,6 +140,26 @@ TEST(Outlines, HaveALimit) {
   const Result<Rendering> failed = render(bright_scene(), {.outlines = 65});
   ASSERT_FALSE(failed);
   EXPECT_EQ(failed.error().front().message, "width of outlines 65 is out of range: 0 to 64");
+}
+
+TEST(DepthCue, IsFogFromTheNearestToTheFarthestShape) {
+  Scene scene = bright_scene(5);
+  scene.background = {0.25, 0.5, 0.75};
+  scene.planes = {{Plane{{0, -1, 0}, {0, 1, 0}}, 0}};  // without an end
+  Scene nothing = scene;
+  EXPECT_FALSE(add_depth_cue(nothing));
+  EXPECT_EQ(nothing.fog.kind, Fog::Kind::none);
+  scene.spheres = {{Sphere{{0, 0, 4}, 1}, 0}, {Sphere{{3, 0, -9}, 2}, 0}};
+  ASSERT_TRUE(add_depth_cue(scene));
+  EXPECT_EQ(scene.fog.color, scene.background);
+  EXPECT_NEAR(scene.fog.start, 5, 1e-12);
+  EXPECT_NEAR((scene.fog.end - 21) / (scene.fog.end - scene.fog.start), 0.2, 1e-12);
+  scene.camera.eye.z = 4;  // in a shape
+  ASSERT_TRUE(add_depth_cue(scene));
+  EXPECT_EQ(scene.fog.start, 0);
+  scene.camera.eye.z = -20;  // behind all
+  scene.camera.window_center.z = -30;
+  EXPECT_FALSE(add_depth_cue(scene));
 }
 
 TEST(ExplainedCuts, SayWhichCapIsSeen) {
