@@ -368,6 +368,10 @@ TEST(Cuts, NeedAPlane) {
   const Result<Rendering> failed = render(scene);
   ASSERT_FALSE(failed);
   EXPECT_EQ(failed.error().front().message, "cut 2: its normal is 0, or it is not finite");
+  scene.cuts.assign(1025, {});
+  const Result<Rendering> many = render(scene);
+  ASSERT_FALSE(many);
+  EXPECT_EQ(many.error().front().message, "there are 1025 cuts: at most 1024 can be");
 }
 
 }  // namespace

@@ -249,12 +249,16 @@ TEST(Tachyon, ClipGroupsCutTheShapesWithinThem) {
       kHead + kCamera +
       "TEXDEF a AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY 1 COLOR 1 1 1 TEXFUNC 0\n" +
       "START_CLIPGROUP NUMPLANES 2 2 0 0 1 0 1 0 -3\nSPHERE CENTER 0 0 0 RAD 1 a\nEND_CLIPGROUP\n" +
-      "SPHERE CENTER 0 0 5 RAD 1 a\n");
-  ASSERT_EQ(s.cuts.size(), 2u);
+      "SPHERE CENTER 0 0 5 RAD 1 a\n" +
+      "START_CLIPGROUP NUMPLANES 2 2 0 0 1 0 1 0 -3 SPHERE CENTER 0 0 9 RAD 1 a END_CLIPGROUP\n" +
+      "START_CLIPGROUP NUMPLANES 1 2 0 0 1 SPHERE CENTER 0 0 9 RAD 1 a END_CLIPGROUP\n");
+  ASSERT_EQ(s.cuts.size(), 3u) << "those of the first group are the second's";
   EXPECT_EQ(s.cuts[0], (Cut{.point = {0.5, 0, 0}, .normal = {2, 0, 0}, .caps = false, .group = 1}));
   EXPECT_EQ(s.cuts[1], (Cut{.point = {0, -3, 0}, .normal = {0, 1, 0}, .caps = false, .group = 1}));
-  ASSERT_EQ(s.spheres.size(), 2u);
+  ASSERT_EQ(s.spheres.size(), 4u);
   EXPECT_EQ(s.materials[s.spheres[0].material].cut_group, 1u);
+  EXPECT_EQ(s.materials[s.spheres[2].material].cut_group, 1u);
+  EXPECT_EQ(s.materials[s.spheres[3].material].cut_group, 2u);
   EXPECT_EQ(s.materials[s.spheres[1].material].cut_group, 0u);
 }
 

@@ -244,11 +244,10 @@ bool TachyonReader::read_clip_group() {
   const char* const at = in_->place();
   std::size_t planes = 0;
   if (!expect("NUMPLANES") || !count(planes, "NUMPLANES", 8, 1e6)) return false;
-  cut_group_ = ++cut_groups_;
+  std::vector<Cut> cuts;
   for (std::size_t i = 0; i < planes; ++i) {
     Cut cut;
     cut.caps = false;
-    cut.group = cut_group_;
     double distance = 0;
     if (!number(cut.normal.x, "a plane") || !number(cut.normal.y, "a plane") ||
         !number(cut.normal.z, "a plane") || !number(distance, "a plane"))
@@ -260,8 +259,20 @@ bool TachyonReader::read_clip_group() {
       continue;
     }
     cut.point = scaled(cut.normal, distance / square);
-    scene_.cuts.push_back(cut);
+    cuts.push_back(cut);
   }
+  cut_group_ = 0;
+  if (cuts.empty()) return true;
+  // Programs repeat the same planes for one group of shapes after the other.
+  std::vector<double> numbers;
+  for (const Cut& cut : cuts)
+    numbers.insert(numbers.end(), {cut.normal.x, cut.normal.y, cut.normal.z, cut.point.x,
+                                   cut.point.y, cut.point.z});
+  const auto [known, fresh] = cut_groups_.try_emplace(
+      std::move(numbers), static_cast<std::uint32_t>(cut_groups_.size() + 1));
+  cut_group_ = known->second;
+  for (Cut& cut : cuts) cut.group = cut_group_;
+  if (fresh) scene_.cuts.insert(scene_.cuts.end(), cuts.begin(), cuts.end());
   return true;
 }
 

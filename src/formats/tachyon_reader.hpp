@@ -170,7 +170,8 @@ class TachyonReader {
   int includes_ = 0;
   std::uint64_t included_ = 0;
   bool ended_ = false;
-  std::uint32_t cut_group_ = 0, cut_groups_ = 0;  ///< that shapes are read into, and of all
+  std::uint32_t cut_group_ = 0;  ///< that shapes are read into
+  std::map<std::vector<double>, std::uint32_t> cut_groups_;  ///< by the numbers of their planes
   Scene scene_;
   Diagnostics errors_;
   std::vector<std::pair<Diagnostic, std::uint64_t>> warnings_;  ///< and how often

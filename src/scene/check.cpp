@@ -90,6 +90,10 @@ std::string problem_of(const Light& light) {
 }
 
 void check_cuts(const Scene& scene, const auto& complain) {
+  constexpr std::size_t kMaxCuts = 1024;  // each ray asks all of them
+  if (scene.cuts.size() > kMaxCuts)
+    return complain(
+        fmt::format("there are {} cuts: at most {} can be", scene.cuts.size(), kMaxCuts));
   for (std::size_t i = 0; i < scene.cuts.size(); ++i)
     if (const Cut& cut = scene.cuts[i];
         !finite(cut.point) || !finite(cut.normal) || cut.normal == Vec3{})
