@@ -13,12 +13,12 @@
 namespace zraka::app {
 namespace {
 
-struct Arguments {
+struct CheckArguments {
   std::string scene;
   ReadOptions files;
 };
 
-int run(const Arguments& arguments) {
+int run(const CheckArguments& arguments) {
   const std::string& scene = arguments.scene;
   Result<ReadScene> read = read_scene(scene, arguments.files);
   if (!read) return fail(read.error());
@@ -32,7 +32,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_check(Command& program) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CheckArguments>();
   Command app = program.add_command("check", "say what is wrong or odd in a scene file");
   app.add("SCENE", &arguments->scene, "the scene file; - reads standard input").required();
   add_allow_outside_to(app, arguments->files);

@@ -26,7 +26,7 @@ enum CompareCode { kWithin = 0, kDiffer = 1, kTrouble = 2 };
 /// Both pictures, what is compared of them and the filters' rows are in memory at once: 8K fits.
 constexpr std::uint64_t kMostPixels = kMaxPixels / 4;
 
-struct Arguments {
+struct CompareArguments {
   std::string a, b;
   CompareOptions options;
   std::string format = "text", transfer = "srgb";
@@ -79,7 +79,7 @@ void print(const Json& json) {
   std::puts(json.dump(2).c_str());
 }
 
-void print_json(const Comparison& c, const Arguments& arguments) {
+void print_json(const Comparison& c, const CompareArguments& arguments) {
   const Errors& e = c.errors;
   Json json = {{"within", c.within},
                {"equal", e.largest == 0},
@@ -107,7 +107,7 @@ void print_json(const Comparison& c, const Arguments& arguments) {
   print(json);
 }
 
-void print_text(const Comparison& c, const Arguments& arguments) {
+void print_text(const Comparison& c, const CompareArguments& arguments) {
   fmt::print("{}\n", verdict_on(c));
   const auto print_lines = [](const Lines& lines) {
     for (const auto& [label, value] : lines) fmt::print("  {:<9} {}\n", label, value);
@@ -117,7 +117,7 @@ void print_text(const Comparison& c, const Arguments& arguments) {
   print_lines(pixel_lines(c));
 }
 
-int sizes_differ(const ReadImage& a, const ReadImage& b, const Arguments& arguments) {
+int sizes_differ(const ReadImage& a, const ReadImage& b, const CompareArguments& arguments) {
   if (arguments.quiet) return kDiffer;
   if (arguments.format == "json") {
     print({{"within", false},
@@ -135,7 +135,7 @@ int sizes_differ(const ReadImage& a, const ReadImage& b, const Arguments& argume
   return kDiffer;
 }
 
-Result<void> write_heat(const Comparison& c, const Arguments& arguments) {
+Result<void> write_heat(const Comparison& c, const CompareArguments& arguments) {
   const std::uint32_t width = c.a.image.width, height = c.a.image.height;
   if (arguments.heat_of == "flip")
     return write_png(heat_picture(c.flip.map, width, height), arguments.heat);
@@ -144,7 +144,7 @@ Result<void> write_heat(const Comparison& c, const Arguments& arguments) {
 }
 
 /// A page is handed on, so it names files without their folders, unless only these differ.
-Result<void> write_page(const Comparison& c, const Arguments& arguments) {
+Result<void> write_page(const Comparison& c, const CompareArguments& arguments) {
   std::string a = std::filesystem::path(name_of_input(arguments.a)).filename().string();
   std::string b = std::filesystem::path(name_of_input(arguments.b)).filename().string();
   if (a == b) a = name_of_input(arguments.a), b = name_of_input(arguments.b);
@@ -153,7 +153,7 @@ Result<void> write_page(const Comparison& c, const Arguments& arguments) {
   return write_text_file(arguments.html, *page);
 }
 
-void warn_of_curve(const Comparison& c, const Arguments& arguments) {
+void warn_of_curve(const Comparison& c, const CompareArguments& arguments) {
   Diagnostic note;
   note.severity = Severity::warning;
   note.file = name_of_input(c.a.floats ? arguments.b : arguments.a);
@@ -166,7 +166,7 @@ void warn_of_curve(const Comparison& c, const Arguments& arguments) {
   show({note});
 }
 
-int run(Arguments arguments) {
+int run(CompareArguments arguments) {
   arguments.options.transfer = arguments.transfer == "srgb" ? Transfer::srgb : Transfer::linear;
   Result<ReadImage> a = read_image(arguments.a, kMostPixels);
   Result<ReadImage> b = read_image(arguments.b, kMostPixels);
@@ -192,7 +192,7 @@ int run(Arguments arguments) {
 }
 
 /// Nothing where the outputs have names of their own, else what is wrong.
-std::string problem_of_names(const Arguments& arguments) {
+std::string problem_of_names(const CompareArguments& arguments) {
   if (arguments.a == "-" && arguments.b == "-")
     return "Only one of the pictures can be standard input.";
   if (arguments.heat == "-" && arguments.html == "-")
@@ -201,7 +201,7 @@ std::string problem_of_names(const Arguments& arguments) {
 }
 
 /// run(), with the exit codes of this command also where memory or the output's disk ends.
-int run_to_code(Arguments arguments) {
+int run_to_code(CompareArguments arguments) {
   if (const std::string problem = problem_of_names(arguments); !problem.empty()) {
     fmt::print(stderr, "{}\n", problem);
     return kWrongUsage;
@@ -223,7 +223,7 @@ int run_to_code(Arguments arguments) {
 }  // namespace
 
 void add_compare(Command& program) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CompareArguments>();
   Command app = program.add_command("compare", "say how far two pictures are apart, and where");
   app.add("A", &arguments->a,
           "a picture: PNG, JPEG, PPM, PGM, PFM, HDR or OpenEXR; - reads standard input")

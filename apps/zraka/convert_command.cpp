@@ -17,7 +17,7 @@
 namespace zraka::app {
 namespace {
 
-struct Arguments {
+struct ConvertArguments {
   std::string scene, output = "-", format;
   bool quiet = false;
   ReadOptions files;
@@ -40,7 +40,7 @@ Diagnostics lost_files(const Scene& scene, const std::string& output) {
   return lost;
 }
 
-int run(const Arguments& arguments) {
+int run(const ConvertArguments& arguments) {
   if (const Result<void> apart = check_outputs({arguments.scene}, {arguments.output}); !apart)
     return fail(apart.error());
   Result<ReadScene> read = read_scene(arguments.scene, arguments.files);
@@ -59,7 +59,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_convert(Command& program) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ConvertArguments>();
   Command app = program.add_command("convert", "write a scene in another format");
   app.add("SCENE", &arguments->scene, "the scene file; - reads standard input").required();
   app.add("OUTPUT", &arguments->output, "the file to write; - is standard output").required();
@@ -78,7 +78,7 @@ void add_convert(Command& program) {
 }
 
 void add_format(Command& program) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ConvertArguments>();
   arguments->format = "toml";
   Command app =
       program.add_command("format", "write a scene in the scene language's canonical form");

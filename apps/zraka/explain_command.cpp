@@ -21,7 +21,7 @@
 namespace zraka::app {
 namespace {
 
-struct Arguments : RenderArguments {
+struct ExplainArguments : RenderArguments {
   std::string x, y;
   std::string output = "-";
   std::string format;  // "": by the output's name
@@ -44,7 +44,7 @@ bool is_rays_file(const std::string& path) {
   return extension == ".obj" || extension == ".gltf";
 }
 
-Result<void> write_rays(const Arguments& arguments, const Scene& scene,
+Result<void> write_rays(const ExplainArguments& arguments, const Scene& scene,
                         const Explanation& explanation) {
   const std::vector<Segment> segments = segments_of(scene, explanation);
   const bool obj = std::filesystem::path(arguments.rays).extension() == ".obj";
@@ -56,8 +56,9 @@ Result<void> write_rays(const Arguments& arguments, const Scene& scene,
 }
 
 /// The explanation in the format that is asked for.
-Result<std::string> text_for(const Arguments& arguments, Scene& scene, const RenderOptions& options,
-                             Explainer& explainer, const Explanation& explanation) {
+Result<std::string> text_for(const ExplainArguments& arguments, Scene& scene,
+                             const RenderOptions& options, Explainer& explainer,
+                             const Explanation& explanation) {
   constexpr std::uint32_t kNeighbours = 15;
   const Language language = *language_named(arguments.language);
   const ProfileName profile = arguments.profile_name(scene);
@@ -78,7 +79,7 @@ Result<std::string> text_for(const Arguments& arguments, Scene& scene, const Ren
                  {.language = language, .scene = arguments.scene, .profile = profile});
 }
 
-int run(const Arguments& arguments) {
+int run(const ExplainArguments& arguments) {
   speak(*language_named(arguments.language));
   Result<Scene> scene = arguments.load({arguments.output, arguments.rays});
   if (!scene) return fail(scene.error());
@@ -102,7 +103,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_explain(Command& program) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ExplainArguments>();
   Command app = program.add_command("explain",
                                     "say why a pixel has its colour: its ray tree with every term");
   arguments->add_to(app);

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments : RenderArguments {
+struct GradeArguments : RenderArguments {
   std::string submission, stage, rubric, format, language = "en", output = "-";
   bool all = false, list = false;
 };
@@ -61,7 +61,7 @@ std::vector<std::string> files_in(const std::string& submission) {
   return files;
 }
 
-int run(const Arguments& arguments) {
+int run(const GradeArguments& arguments) {
   speak(*language_named(arguments.language));
   const Language language = *language_named(arguments.language);
   if (arguments.list) return list_mistakes(language);
@@ -122,7 +122,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_grade(Command& program) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<GradeArguments>();
   Command app = program.add_command(
       "grade", "mark pictures of the lab's stages, and name the cause of what is wrong");
   arguments->add_to(app, Needs::perhaps);

@@ -20,7 +20,7 @@
 namespace zraka::app {
 namespace {
 
-struct Arguments {
+struct HelpArguments {
   std::vector<std::string> topic;
   std::string pages, manual, shell;
   std::string words() const { return fmt::format("{}", fmt::join(topic, " ")); }
@@ -51,7 +51,7 @@ int write_manual(const Command& program, const std::string& folder) {
 }
 
 /// Help of a command, else of a keyword of the scene language.
-std::string help_of(const Command& program, const Arguments& arguments) {
+std::string help_of(const Command& program, const HelpArguments& arguments) {
   std::string text = program.help_of(arguments.topic).value_or("");
   if (arguments.topic.empty())
     return text + "\n" + language::keywords_in_lines("Keywords of the scene language: ");
@@ -64,7 +64,7 @@ std::vector<std::string> topics(const Command& program) {
   return topics;
 }
 
-std::string problem_of(const Command& program, const Arguments& arguments) {
+std::string problem_of(const Command& program, const HelpArguments& arguments) {
   const std::string words = arguments.words();
   if (program.help_of(arguments.topic) || language::help_on(words)) return "";
   std::string problem =
@@ -79,7 +79,7 @@ std::string problem_of(const Command& program, const Arguments& arguments) {
 }  // namespace
 
 void add_help(Command& program) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<HelpArguments>();
   Command help = program.add_command("help", "print the help of a command, or explain a keyword");
   help.add("TOPIC", &arguments->topic,
            "a command, as in generate letter, or a keyword of the scene language, as in sphere; "

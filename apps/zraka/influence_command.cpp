@@ -17,7 +17,7 @@
 namespace zraka::app {
 namespace {
 
-struct Arguments : RenderArguments {
+struct InfluenceArguments : RenderArguments {
   std::vector<std::string> name;
   std::string output, format = "text", language = "en";
 };
@@ -87,7 +87,8 @@ struct Asked {
   }
 };
 
-void print_text(const Arguments& arguments, const Asked& asked, const Influence& influence) {
+void print_text(const InfluenceArguments& arguments, const Asked& asked,
+                const Influence& influence) {
   constexpr std::size_t kMostWays = 16;
   const Language language = *language_named(arguments.language);
   const std::uint64_t all = influence.pixels.size(), reached = influence.count(kAnyBit);
@@ -134,7 +135,7 @@ void print_json(const Asked& asked, const Influence& influence) {
   std::puts(json.dump(2).c_str());
 }
 
-int run(const Arguments& arguments) {
+int run(const InfluenceArguments& arguments) {
   speak(*language_named(arguments.language));
   const Result<Scene> scene = arguments.load({arguments.output});
   if (!scene) return fail(scene.error());
@@ -165,7 +166,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_influence(Command& program) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<InfluenceArguments>();
   Command app = program.add_command(
       "influence",
       "say which pixels a shape has a part in: seen, mirrored, through glass, by shadow");

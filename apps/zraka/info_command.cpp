@@ -16,7 +16,7 @@
 namespace zraka::app {
 namespace {
 
-struct Arguments {
+struct InfoArguments {
   std::string scene;
   std::string format = "text";
   ReadOptions files;
@@ -107,7 +107,7 @@ void print_text(const Scene& scene, const Facts& facts) {
     fmt::print("bounds      {} to {}\n", text_of(facts.bounds.lower), text_of(facts.bounds.upper));
 }
 
-int run(const Arguments& arguments) {
+int run(const InfoArguments& arguments) {
   const Result<ReadScene> read = read_scene(arguments.scene, arguments.files);
   if (!read) return fail(read.error());
   show(read->warnings);
@@ -122,7 +122,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_info(Command& program) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<InfoArguments>();
   Command app = program.add_command("info", "say what a scene file holds");
   app.add("SCENE", &arguments->scene, "the scene file; - reads standard input").required();
   app.add("--format", &arguments->format, "text (default) or json").one_of({"text", "json"});

@@ -24,7 +24,7 @@ std::optional<std::uint64_t> seed_named(const std::string& word) {
   return seed;
 }
 
-struct Arguments : RenderArguments {
+struct QuizArguments : RenderArguments {
   std::string output, answers, format, pictures, language = "en", stage = "refraction", seed = "1";
   int questions = 10;
   std::vector<std::string> kinds;
@@ -37,24 +37,24 @@ struct Arguments : RenderArguments {
 };
 
 /// The format asked for; else the one that the output's name asks for; else a page.
-std::string Arguments::format_name() const {
+std::string QuizArguments::format_name() const {
   if (!format.empty()) return format;
   const std::string extension = std::filesystem::path(output).extension().string();
   return extension == ".json" ? "json" : extension == ".txt" ? "text" : "html";
 }
 
-std::string Arguments::output_name() const {
+std::string QuizArguments::output_name() const {
   return !output.empty() ? output : format_name() == "html" ? "quiz.html" : "-";
 }
 
-QuizOptions Arguments::quiz() const {
+QuizOptions QuizArguments::quiz() const {
   QuizOptions options{.seed = *seed_named(seed), .questions = questions, .language = language};
   if (!kinds.empty()) options.kinds.clear();
   for (const std::string& kind : kinds) options.kinds.insert(*quiz_kind_named(kind));
   return options;
 }
 
-std::string Arguments::contradiction() const {
+std::string QuizArguments::contradiction() const {
   const std::string name = format_name();
   if (name == "html" && !pictures.empty())
     return "--pictures goes with --format json or text: a page has its pictures in it";
@@ -66,7 +66,7 @@ std::string Arguments::contradiction() const {
 }
 
 /// Writes the pictures into a folder; gives back their names.
-Result<std::vector<std::string>> write_pictures(const Arguments& arguments, const Quiz& quiz) {
+Result<std::vector<std::string>> write_pictures(const QuizArguments& arguments, const Quiz& quiz) {
   std::vector<std::string> files;
   if (arguments.pictures.empty()) return files;
   const Result<void> folder = make_folder(arguments.pictures);
@@ -87,7 +87,7 @@ Result<std::vector<std::string>> write_pictures(const Arguments& arguments, cons
   return files;
 }
 
-Result<void> write(const Arguments& arguments, const Quiz& quiz, const QuizView& view) {
+Result<void> write(const QuizArguments& arguments, const Quiz& quiz, const QuizView& view) {
   const std::string format = arguments.format_name();
   const auto made = [&](const auto& html, const auto& json, const auto& text) -> std::string {
     return format == "html" ? html() : format == "json" ? json() : text();
@@ -102,7 +102,7 @@ Result<void> write(const Arguments& arguments, const Quiz& quiz, const QuizView&
                                                  [&] { return quiz_answers_text(quiz, view); }));
 }
 
-int run(const Arguments& arguments) {
+int run(const QuizArguments& arguments) {
   speak(*language_named(arguments.language));
   const Result<Scene> scene = arguments.load({arguments.output_name(), arguments.answers});
   if (!scene) return fail(scene.error());
@@ -138,7 +138,7 @@ int run(const Arguments& arguments) {
   return kDone;
 }
 
-void add_options(Command& app, Arguments& arguments) {
+void add_options(Command& app, QuizArguments& arguments) {
   app.add("-o,--output", &arguments.output,
           "the file to write: quiz.html, or - (standard output) for JSON and text, if not "
           "given");
@@ -166,7 +166,7 @@ void add_options(Command& app, Arguments& arguments) {
 }  // namespace
 
 void add_quiz(Command& program) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<QuizArguments>();
   Command app = program.add_command(
       "quiz", "questions about a scene's picture, with answers and reasons from the engine");
   arguments->add_to(app);

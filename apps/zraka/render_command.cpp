@@ -20,7 +20,7 @@
 namespace zraka::app {
 namespace {
 
-struct Arguments : RenderArguments {
+struct RenderCommandArguments : RenderArguments {
   std::string output;
   std::string stage = "refraction", mistake;
   int bits = 0;  // 0: the format's own
@@ -100,7 +100,7 @@ std::optional<LayerSet> layers_named(const std::string& list) {
   return layers;
 }
 
-WriteOptions write_options(const Arguments& arguments) {
+WriteOptions write_options(const RenderCommandArguments& arguments) {
   WriteOptions options;
   options.bits = arguments.bits;
   options.tone = {tone_curve_named(arguments.tone_map).value_or(ToneCurve::clamp),
@@ -110,7 +110,7 @@ WriteOptions write_options(const Arguments& arguments) {
 }
 
 /// Why what is asked for does not go together, or "".
-std::string problem_of(const Arguments& arguments) {
+std::string problem_of(const RenderCommandArguments& arguments) {
   const std::optional<PictureFormat> format = picture_format_of(arguments.output);
   if (!format) return "";  // a folder has an error of its own
   const auto only = [&](std::string_view option, auto has) {
@@ -144,7 +144,7 @@ std::string problem_of(const Arguments& arguments) {
   return "";
 }
 
-int run(const Arguments& arguments) {
+int run(const RenderCommandArguments& arguments) {
   const auto since = [](auto start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
@@ -201,7 +201,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_render(Command& program) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RenderCommandArguments>();
   Command app = program.add_command("render", "render a scene to a picture");
   arguments->add_to(app);
   arguments->sampling.add_to(app);

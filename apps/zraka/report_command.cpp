@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uint32_t kMostLetterPixels = 2000;
 
-struct Arguments : RenderArguments {
+struct ReportArguments : RenderArguments {
   std::string folder, letter, author, language = "en";
   bool zip = false;
 };
@@ -80,7 +80,7 @@ Result<void> add_letter(Report& report, Language language, const std::string& te
   return {};
 }
 
-int run(const Arguments& arguments) {
+int run(const ReportArguments& arguments) {
   speak(*language_named(arguments.language));
   const Language language = *language_named(arguments.language);
   const std::string archive = archive_name(arguments.author);
@@ -144,7 +144,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_report(Command& program) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReportArguments>();
   Command app = program.add_command(
       "report",
       "what the lab's sheet wants handed in: the stages, what each changed and why, as a page");

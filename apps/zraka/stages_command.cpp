@@ -20,12 +20,12 @@ constexpr std::size_t kStages = kStageNames.size();
 constexpr std::uint32_t kThumbnail = 240;
 constexpr const char* kSheetFile = "contact-sheet.png";
 
-struct Arguments : RenderArguments {
+struct StagesArguments : RenderArguments {
   std::string folder, mistake;
 };
 
-Result<std::array<Image, kStages>> render_stages(const Arguments& arguments, const Scene& scene,
-                                                 RenderOptions options) {
+Result<std::array<Image, kStages>> render_stages(const StagesArguments& arguments,
+                                                 const Scene& scene, RenderOptions options) {
   std::array<Image, kStages> images;
   for (std::size_t i = 0; i < kStages; ++i) {
     options.terms = terms_of(static_cast<Stage>(i + 1), scene);
@@ -46,7 +46,7 @@ std::string difference_file(std::size_t i) {
   return fmt::format("difference-{}-{}.png", i + 1, i + 2);
 }
 
-int run(const Arguments& arguments) {
+int run(const StagesArguments& arguments) {
   const std::filesystem::path out(arguments.folder);
   std::vector<std::string> outputs = {(out / kSheetFile).string()};
   for (std::size_t i = 0; i < kStages; ++i) {
@@ -105,7 +105,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_stages(Command& program) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<StagesArguments>();
   Command app = program.add_command(
       "stages", "render the lab's seven stages, the differences between them, and a contact sheet");
   arguments->add_to(app);

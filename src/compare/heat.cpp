@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Heat maps, and the colours they are drawn in.
 #include <algorithm>
+#include <numbers>
 #include <zraka/compare.hpp>
 
 #include "compare/difference.hpp"
@@ -41,12 +42,12 @@ std::array<float, 3> screen_color(double lightness, double a, double b) {
 /// (yellow), and as much chroma as fits into sRGB all along, none at both ends: neighbours are
 /// equally far apart, to 1 %.
 std::array<std::array<float, 3>, 256> make_colors() {
-  constexpr double kPi = 3.14159265358979323846, kDegree = kPi / 180;
+  constexpr double kDegree = std::numbers::pi / 180;
   std::array<std::array<float, 3>, 256> colors{};
   for (std::size_t i = 0; i < colors.size(); ++i) {
     const double t = static_cast<double>(i) / 255;
     const auto [cosine, sine] = cosine_and_sine((170 * t - 90) * kDegree);
-    const double chroma = 0.17 * cosine_and_sine(kPi * t)[1];
+    const double chroma = 0.17 * cosine_and_sine(std::numbers::pi * t)[1];
     colors[i] = screen_color(0.98 * t, chroma * cosine, chroma * sine);
   }
   return colors;

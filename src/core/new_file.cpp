@@ -40,7 +40,7 @@ struct Incomplete {
 std::array<Incomplete, 16> incomplete_files;  // NOLINT: a handler reaches nothing but globals
 /// Threads between the making of a file and the note that it is there.
 std::atomic<int> creating{0};
-std::atomic<bool> ending{false};
+std::atomic<bool> program_ends{false};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 /// The slot that the name was noted in; -1 where there is no room, and a signal would leave it.
@@ -63,7 +63,7 @@ void forget(int slot) {
 
 /// Once the program is being ended elsewhere, nobody shall report a failure that comes of it.
 void wait_if_ending() {
-  while (ending) ::pause();
+  while (program_ends) ::pause();
 }
 
 /// A name beside `target` with an ending that hardly any other file has.
@@ -86,7 +86,7 @@ int make_temporary(const std::string& name, mode_t mode, int& slot) {
   // The signal may still reach another thread: its handler waits until `creating` is 0 again.
   ++creating;
   int descriptor = -1, problem = 0;
-  if (!ending) {
+  if (!program_ends) {
     descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     problem = errno;
     if (descriptor >= 0) slot = remember(name);
@@ -96,10 +96,6 @@ int make_temporary(const std::string& name, mode_t mode, int& slot) {
   wait_if_ending();
   errno = problem;
   return descriptor;
-}
-
-Phrase reason() {
-  return reason_of(errno);
 }
 
 /// The file that a path means, through all links, whether it is there yet or not. Empty, and errno,
@@ -134,7 +130,7 @@ std::string file_behind(const std::string& path) {
 
 void remove_incomplete_files() noexcept {
   constexpr int kLongestWaitMs = 1000;  // a file system that hangs must not keep the program alive
-  ending = true;
+  program_ends = true;
   for (int waited = 0; creating != 0 && waited < kLongestWaitMs; ++waited) ::poll(nullptr, 0, 1);
   for (const Incomplete& slot : incomplete_files)
     if (slot.valid) ::unlink(slot.name);
@@ -144,14 +140,14 @@ Result<NewFile> NewFile::create(const std::string& path) {
   NewFile file;
   file.name_ = path;
   const auto problem = [&] {
-    return failure(path, phrase(Word::path_unwritable, reason()),
+    return failure(path, phrase(Word::path_unwritable, reason_of(errno)),
                    errno == ENOENT ? phrase(Word::path_folder_there) : Phrase{});
   };
   if (path == "-") {
     file.name_ = "standard output";
     file.stream_ = ::fdopen(::dup(STDOUT_FILENO), "wb");
     if (file.stream_ == nullptr)
-      return failure(file.name_, phrase(Word::path_unwritable, reason()));
+      return failure(file.name_, phrase(Word::path_unwritable, reason_of(errno)));
     return file;
   }
   struct stat old {};

@@ -7,6 +7,7 @@
 #include <new>
 #include <zraka/explain.hpp>
 
+#include "explain/hit_reader.hpp"
 #include "explain/tile_listeners.hpp"
 #include "explain/tree_reader.hpp"
 #include "render/corners.hpp"
@@ -15,10 +16,6 @@
 
 namespace zraka {
 namespace {
-
-Float3 float3(const V3<float>& v) {
-  return {v.x, v.y, v.z};
-}
 
 /// Into a transparent body and out of it.
 constexpr int kLevelsBeyond = 2;
@@ -88,9 +85,8 @@ Result<Explanation> read_pixel(const Stand& stand, std::uint32_t x, std::uint32_
                           .background = float3(stand.frozen().background),
                           .sky = stand.scene.sky.kind};
   for (std::size_t i = 0; i < stand.scene.lights.size(); ++i)
-    explanation.lights.push_back(
-        {stand.scene.lights[i].position, float3(stand.frozen().lights[i].color),
-         stand.scene.lights[i]});
+    explanation.lights.push_back({stand.scene.lights[i].position,
+                                  float3(stand.frozen().lights[i].color), stand.scene.lights[i]});
   explanation.sample = sample;
   explanation.samples = samples_of(stand.options.sampling);
   explanation.general = stand.frozen().optics != nullptr;
@@ -127,9 +123,8 @@ Stand stand_for(const Scene& scene, RenderOptions options, Isa isa, const Variat
   if (variation.vary_options) variation.vary_options(options);
   Scene varied;
   if (variation.vary_scene) variation.vary_scene(varied = scene);
-  PreparedScene<float> prepared = variation.vary_scene
-                                      ? prepare<float>(std::move(varied), options)
-                                      : prepare<float>(scene, options);
+  PreparedScene<float> prepared = variation.vary_scene ? prepare<float>(std::move(varied), options)
+                                                       : prepare<float>(scene, options);
   const TraceSettings settings = settings_of(options, prepared, variation.number);
   return {scene,
           options,
@@ -185,8 +180,9 @@ Result<Explanation> Explainer::pixel(std::uint32_t x, std::uint32_t y, std::uint
                                "top",
                                size.width - 1, size.height - 1));
   if (const std::uint32_t all = samples_of(impl_->stand.options.sampling); sample >= all)
-    return failure("", all == 1 ? std::string("a pixel of this picture has one sample")
-                                : fmt::format("a pixel of this picture has {} samples at most", all));
+    return failure("", all == 1
+                           ? std::string("a pixel of this picture has one sample")
+                           : fmt::format("a pixel of this picture has {} samples at most", all));
   try {
     return read_pixel(impl_->stand, x, y, sample);
   } catch (const std::bad_alloc&) {

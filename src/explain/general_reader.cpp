@@ -15,9 +15,6 @@
 namespace zraka {
 namespace {
 
-Float3 float3(const V3<float>& v) {
-  return {v.x, v.y, v.z};
-}
 float most_of(const Float3& v) {
   return std::max({v[0], v[1], v[2]});
 }
@@ -136,9 +133,8 @@ ExplainedHit GeneralReader::surface(const Level<float>& level, const Scratch<flo
     return in_stage && !settings_.terms.silhouette ? Absence::depth : Absence::stage;
   };
   // By Fresnel, what refracts reflects as well.
-  hit.reflected.absence =
-      absence(hit.k1 == 0 && material.fresnel != Fresnel::off ? hit.k2 : hit.k1,
-              settings_.terms.reflection);
+  hit.reflected.absence = absence(hit.k1 == 0 && material.fresnel != Fresnel::off ? hit.k2 : hit.k1,
+                                  settings_.terms.reflection);
   hit.refracted.absence = absence(hit.k2, settings_.terms.refraction);
   hit_reader_.read(level, s, h, ray, hit);
   if (state.cap >= 0) {
@@ -168,8 +164,8 @@ void GeneralReader::at_hits(const Level<float>& level, const Scratch<float>& s,
   const std::size_t first = first_[depth] = tree_.rays.size();
   const general::HitState<float>* const states = workspace.hits[depth].data();
   for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h)
-    bodies_.insert({states[h].body,
-                    {stand_.named(s.slot[level.hits.ray[h]]), hit_reader_.path(&s.paths[h])}});
+    bodies_.insert(
+        {states[h].body, {stand_.named(s.slot[level.hits.ray[h]]), hit_reader_.path(&s.paths[h])}});
   for (std::size_t i = 0; i < awaited_.size(); ++i) {
     const RayArrays<float>& rays = level.rays;
     ExplainedRay ray{.kind = awaited_[i].kind,
@@ -208,11 +204,10 @@ void GeneralReader::at_passed(const general::Passed<float>& passed) {
                          float3(passed.transmittance)};
     return;
   }
-  passed_[passed.hit].push_back({stand_.named(passed.slot), hit_reader_.path(passed.path),
-                                 stand_.prepared.frame.world_length(passed.distance),
-                                 float3(passed.share),
-                                 stand_.prepared.frame.world_length(passed.length),
-                                 float3(passed.transmittance)});
+  passed_[passed.hit].push_back(
+      {stand_.named(passed.slot), hit_reader_.path(passed.path),
+       stand_.prepared.frame.world_length(passed.distance), float3(passed.share),
+       stand_.prepared.frame.world_length(passed.length), float3(passed.transmittance)});
 }
 
 void GeneralReader::at_light(std::int32_t /*light*/, const Level<float>& level,
@@ -222,16 +217,16 @@ void GeneralReader::at_light(std::int32_t /*light*/, const Level<float>& level,
   for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
     const general::LightSum<float>& sum = sums[h];
     const int samples = sum.samples;
-    LightTerms at{.reach = Reach::behind,
-                  .distance = stand_.prepared.frame.world_length(sum.distance),
-                  .to_light = {static_cast<float>(sum.to_light.x),
-                               static_cast<float>(sum.to_light.y),
-                               static_cast<float>(sum.to_light.z)},
-                  .l_n = static_cast<float>(sum.l_n),
-                  .arriving = float3(sum.radiance),
-                  .samples = samples,
-                  .facing = sum.facing,
-                  .reaching = sum.lit};
+    LightTerms at{
+        .reach = Reach::behind,
+        .distance = stand_.prepared.frame.world_length(sum.distance),
+        .to_light = {static_cast<float>(sum.to_light.x), static_cast<float>(sum.to_light.y),
+                     static_cast<float>(sum.to_light.z)},
+        .l_n = static_cast<float>(sum.l_n),
+        .arriving = float3(sum.radiance),
+        .samples = samples,
+        .facing = sum.facing,
+        .reaching = sum.lit};
     if (const auto passed = passed_.find(static_cast<std::int32_t>(h)); passed != passed_.end())
       at.passed = std::move(passed->second);
     if (const auto last = last_.find(static_cast<std::int32_t>(h)); last != last_.end()) {
@@ -330,8 +325,7 @@ void GeneralReader::at_children(const Level<float>& level, const Level<float>& n
                                 const general::GeneralWorkspace<float>& workspace) {
   const auto more = static_cast<std::size_t>(next.ray_count);
   const std::size_t first_of_next = tree_.rays.size(), depth = depth_of(level);
-  if (first_of_next + more > kMaxExplainedRays ||
-      next.ray_count > memory_.workspace().batch) {
+  if (first_of_next + more > kMaxExplainedRays || next.ray_count > memory_.workspace().batch) {
     if (!stop) too_large_ = {depth + 1, first_of_next, more, 0};
     stop = true;
   }
@@ -343,8 +337,7 @@ void GeneralReader::at_children(const Level<float>& level, const Level<float>& n
     const general::RayState<float>& ray =
         workspace.rays[depth][static_cast<std::size_t>(level.hits.ray[h])];
     if (state.refracts) read_snell(at, state, ray);
-    read_children(at, state, workspace.rays[depth + 1].data(), ray_of_hit(level, h),
-                  first_of_next);
+    read_children(at, state, workspace.rays[depth + 1].data(), ray_of_hit(level, h), first_of_next);
     read_cuts(at, state, ray);
   }
 }
@@ -362,13 +355,12 @@ void GeneralReader::at_fold(const Level<float>& level,
     at.sum = float3(state.sum);
     const SkyBeyond beyond{float3(state.beyond_reflected), float3(state.beyond_refracted)};
     if (beyond.reflected != Float3{} || beyond.refracted != Float3{}) at.sky_beyond = beyond;
-    if (state.clear != 1)
-      tree_.rays[ray_of_hit(level, h)].fog = {state.clear, fog_color()};
+    if (state.clear != 1) tree_.rays[ray_of_hit(level, h)].fog = {state.clear, fog_color()};
   }
   const OpticalFog& fog = stand_.frozen().optics->fog;
   if (fog.kind == Fog::Kind::none || fog.planar) return;
-  const auto left = static_cast<float>(
-      general::clear_share(fog, std::numeric_limits<double>::infinity()));
+  const auto left =
+      static_cast<float>(general::clear_share(fog, std::numeric_limits<double>::infinity()));
   for (std::size_t i = 0; i < static_cast<std::size_t>(level.ray_count); ++i)
     if (!tree_.rays[first + i].hit) tree_.rays[first + i].fog = {left, fog_color()};
 }

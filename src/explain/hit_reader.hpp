@@ -11,6 +11,10 @@
 
 namespace zraka {
 
+inline Float3 float3(const V3<float>& v) {
+  return {v.x, v.y, v.z};
+}
+
 class HitReader {
  public:
   HitReader(const Scene& scene, const FrozenStore<float>& store, const Frame& frame)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/append.hpp"
 #include "core/json.hpp"
 #include "explain/angles.hpp"
 #include "explain/optics_words.hpp"
@@ -19,8 +20,8 @@ Json if_there(const std::optional<T>& value) {
 }
 
 constexpr const char* kReachNames[] = {"lit", "unchecked", "behind", "blocked", "dark"};
-constexpr const char* kAbsenceNames[] = {"", "share is 0", "depth limit", "stage",
-                                         "total internal reflection", "contribution"};
+constexpr const char* kAbsenceNames[] = {
+    "", "share is 0", "depth limit", "stage", "total internal reflection", "contribution"};
 constexpr const char* kRayNames[] = {"camera", "reflected", "refracted"};
 
 Json body_json(const NamedShape& shape, const ExplainedPath& path) {
@@ -239,7 +240,7 @@ void print(const Json& json, std::size_t indent, std::string& out) {
     if (one_line)
       out += *separator == ',' ? ", " : "";
     else
-      fmt::format_to(std::back_inserter(out), "{}\n{:{}}", separator, "", indent + 1);
+      append(out, "{}\n{:{}}", separator, "", indent + 1);
     if (key != nullptr) out += Json(*key).dump() + ": ";
     print(member, indent + 1, out);
     separator = ",";
@@ -249,7 +250,7 @@ void print(const Json& json, std::size_t indent, std::string& out) {
     for (const auto& [key, member] : *object) print_member(&key, member);
   else
     for (const Json& member : *array) print_member(nullptr, member);
-  if (!one_line) fmt::format_to(std::back_inserter(out), "\n{:{}}", "", indent);
+  if (!one_line) append(out, "\n{:{}}", "", indent);
   out += object != nullptr ? '}' : ']';
 }
 

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "core/append.hpp"
 #include "core/text.hpp"
 #include "explain/math_ml.hpp"
 #include "explain/names.hpp"
@@ -51,7 +52,7 @@ class Page {
   std::string degrees(double v) const { return decimal(options_.language, v, 2) + "°"; }
   template <class... Values>
   void put(fmt::format_string<Values...> text, Values&&... values) {
-    fmt::format_to(std::back_inserter(out_), text, std::forward<Values>(values)...);
+    append(out_, text, std::forward<Values>(values)...);
   }
   /// A line of a ray: what it is, and its formulas.
   void row(const std::string& what, const std::string& formulas, const char* kind = "") {

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/append.hpp"
 #include "core/base64.hpp"
 #include "core/json.hpp"
 #include "math/bounds.hpp"
@@ -17,12 +18,9 @@ namespace {
 constexpr std::size_t kSegmentKinds = kSegmentNames.size();
 
 /// Linear red, green, blue of each kind's lines.
-constexpr float kColors[kSegmentKinds][3] = {{0.9f, 0.9f, 0.9f},
-                                             {0.1f, 0.6f, 0.9f},
-                                             {0.8f, 0.2f, 0.8f},
-                                             {0.9f, 0.7f, 0.1f},
-                                             {0.8f, 0.1f, 0.1f},
-                                             {0.6f, 0.5f, 0.3f}};
+constexpr float kColors[kSegmentKinds][3] = {{0.9f, 0.9f, 0.9f}, {0.1f, 0.6f, 0.9f},
+                                             {0.8f, 0.2f, 0.8f}, {0.9f, 0.7f, 0.1f},
+                                             {0.8f, 0.1f, 0.1f}, {0.6f, 0.5f, 0.3f}};
 
 void put_little_endian(float value, std::string& bytes) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -33,16 +31,15 @@ void put_little_endian(float value, std::string& bytes) {
 
 std::string rays_as_obj(const std::vector<Segment>& segments, const std::string& title) {
   std::string text = fmt::format("# {}\n", title);
-  const auto out = std::back_inserter(text);
   std::size_t vertex = 0;
   for (std::size_t kind = 0; kind < kSegmentKinds; ++kind) {
     bool named = false;
     for (const Segment& s : segments) {
       if (static_cast<std::size_t>(s.kind) != kind) continue;
-      if (!named) fmt::format_to(out, "o {}\n", kSegmentNames[kind]);
+      if (!named) append(text, "o {}\n", kSegmentNames[kind]);
       named = true;
-      for (const Vec3& p : {s.from, s.to}) fmt::format_to(out, "v {} {} {}\n", p.x, p.y, p.z);
-      fmt::format_to(out, "l {} {}\n", vertex + 1, vertex + 2);
+      for (const Vec3& p : {s.from, s.to}) append(text, "v {} {} {}\n", p.x, p.y, p.z);
+      append(text, "l {} {}\n", vertex + 1, vertex + 2);
       vertex += 2;
     }
   }

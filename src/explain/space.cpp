@@ -7,6 +7,7 @@
 #include "explain/names.hpp"
 #include "explain/optics_words.hpp"
 #include "explain/segments.hpp"
+#include "explain/surface_json.hpp"
 #include "scene/bounds_of.hpp"
 
 namespace zraka {
@@ -14,10 +15,6 @@ namespace {
 
 /// Scenes of so many shapes are drawn whole.
 constexpr std::uint64_t kFewShapes = 60;
-
-Json point_json(const Vec3& v) {
-  return {v.x, v.y, v.z};
-}
 
 /// The outline of a shape: a sphere is its circle, a plane itself, anything else its bounds;
 /// nothing of what has none.
@@ -110,8 +107,7 @@ std::string space_json(Language language, const Scene& scene, const Explanation&
       at = {at.x + (light.edge_u.x + light.edge_v.x) / 2,
             at.y + (light.edge_u.y + light.edge_v.y) / 2,
             at.z + (light.edge_u.z + light.edge_v.z) / 2};
-    lights.push_back(
-        {{"at", point_json(at)}, {"label", light_title(language, explanation, i)}});
+    lights.push_back({{"at", point_json(at)}, {"label", light_title(language, explanation, i)}});
   }
   const Camera& camera = scene.camera;
   const Json json = {{"rays", std::move(rays)},

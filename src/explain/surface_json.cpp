@@ -9,7 +9,7 @@
 namespace zraka {
 namespace {
 
-constexpr const char* kOperations[] = {"union", "intersection", "difference"};
+constexpr const char* kOperationKeys[] = {"union", "intersection", "difference"};
 constexpr const char* kNormalKinds[] = {"", "bump", "normal_map"};
 
 Json transform_json(const Transform& t) {
@@ -30,7 +30,7 @@ Json instance_json(const ExplainedInstance& instance) {
 Json member_json(const ExplainedMember& member) {
   Json json = {{"member", position_of(member)}, {"shape", noun_of(Language::english, member.kind)}};
   if (!member.name.empty()) json["name"] = member.name;
-  json["operation"] = kOperations[static_cast<int>(member.operation)];
+  json["operation"] = kOperationKeys[static_cast<int>(member.operation)];
   json["operands"] = member.operands;
   return json;
 }

@@ -45,8 +45,8 @@ std::optional<Transform> ChallengeReader::step_of(const Node& step) {
 
 /// Steps in their order; a name stands for the steps that it is defined as.
 void ChallengeReader::add_steps(const Node& list, Transform& transform, int depth) {
-  constexpr int kDeepest = 32;
-  if (!list.is_list() || depth > kDeepest)
+  constexpr int kDeepestPattern = 32;
+  if (!list.is_list() || depth > kDeepestPattern)
     return fail(list, "a transform is no list of steps, as [translate, 1, 2, 3]");
   for (const Node& step : list.items) {
     if (!step.is_list()) {

@@ -17,7 +17,7 @@ namespace {
 
 /// What goes on for ever ends here.
 constexpr double kFar = 1000;
-constexpr int kDeepest = 32;
+constexpr int kDeepestGroups = 32;
 
 }  // namespace
 
@@ -132,9 +132,9 @@ std::optional<CsgMember> ChallengeReader::member_of(const Node& given, const Pla
   const Transform t = transform_of(item.find("transform"));
   member.transform = shapes_.index_of(t);
   member.material = own.material;
-  if (own.depth > kDeepest || !inverse(t)) {
-    fail(item,
-         own.depth > kDeepest ? "csg is too deep in itself" : "a transform makes a shape flat");
+  if (own.depth > kDeepestGroups || !inverse(t)) {
+    fail(item, own.depth > kDeepestGroups ? "csg is too deep in itself"
+                                          : "a transform makes a shape flat");
     return std::nullopt;
   }
   if (kind != "csg") {
@@ -189,7 +189,7 @@ void ChallengeReader::add_shape(const Node& given, const Place& place) {
     own.material = material_of(item, place);
     own.has_shadow = flag(item, "shadow", true) && place.has_shadow;
     own.depth = item.find("material") != nullptr || place.depth > 0 ? place.depth + 1 : 0;
-    if (++nesting_ > kDeepest) fail(item, "groups are too deep in each other");
+    if (++nesting_ > kDeepestGroups) fail(item, "groups are too deep in each other");
     if (const Node* const children = item.find("children"); errors_.empty() && children != nullptr)
       for (const Node& child : children->items) add_shape(child, own);
     --nesting_;

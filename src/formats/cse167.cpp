@@ -182,9 +182,9 @@ void Cse167Reader::rotate(const Numbers& n) {
 }
 
 void Cse167Reader::push(const Numbers&) {
-  constexpr std::size_t kDeepest = 1000;
-  if (stack_.size() >= kDeepest)
-    return fail(fmt::format("more than {} transforms are pushed", kDeepest));
+  constexpr std::size_t kMostPushed = 1000;
+  if (stack_.size() >= kMostPushed)
+    return fail(fmt::format("more than {} transforms are pushed", kMostPushed));
   stack_.push_back(stack_.back());
 }
 

@@ -81,8 +81,8 @@ Transform GltfReader::transform_of(const Json& node) {
 
 /// Each node once: they are trees.
 void GltfReader::place(std::size_t index, const Transform& parent, int depth) {
-  constexpr int kDeepest = 500;
-  if (seen_[index] || depth > kDeepest)
+  constexpr int kDeepestNode = 500;
+  if (seen_[index] || depth > kDeepestNode)
     return file_.fail(fmt::format("node {} is in several places, or in itself", index),
                       "the nodes of glTF are trees");
   seen_[index] = true;

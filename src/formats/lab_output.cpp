@@ -2,6 +2,7 @@
 // Writer of the course's input.txt.
 #include <fmt/format.h>
 
+#include "core/append.hpp"
 #include "formats/losses.hpp"
 #include "formats/writers.hpp"
 
@@ -29,30 +30,29 @@ Result<std::string> write_lab_input(const Scene& scene) {
   if (scene.shape_count() != scene.spheres.size()) return refuse("other shapes than spheres");
 
   std::string text;
-  const auto out = std::back_inserter(text);
   const Vec3 &eye = camera.eye, &light = scene.lights[0].position;
-  fmt::format_to(out, "<polozaj oka => {}, {}, {}:\n\n", eye.x, eye.y, eye.z);
-  fmt::format_to(out, "<velicina prozora => {}:\n<rezolucija prozora => {}:\n\n", size,
-                 scene.resolution.width);
-  fmt::format_to(out, "<pozicija svijetla => {}, {}, {}:\n<broj objekata u sceni => {}:\n", light.x,
-                 light.y, light.z, scene.spheres.size());
+  append(text, "<polozaj oka => {}, {}, {}:\n\n", eye.x, eye.y, eye.z);
+  append(text, "<velicina prozora => {}:\n<rezolucija prozora => {}:\n\n", size,
+         scene.resolution.width);
+  append(text, "<pozicija svijetla => {}, {}, {}:\n<broj objekata u sceni => {}:\n", light.x,
+         light.y, light.z, scene.spheres.size());
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
     const Sphere& s = scene.spheres[i].shape;
     const Material& m = scene.materials.at(scene.spheres[i].material);
     const auto name = scene.names.find({0, static_cast<std::uint32_t>(i)});
     const bool named = name != scene.names.end() && name->second.find('>') == std::string::npos;
-    fmt::format_to(out, "\n<parametri {}. kugle{}>\n", i + 1, named ? ": " + name->second : "");
-    fmt::format_to(out, "\t<polozaj => {}, {}, {}:\n\t<radius => {}:\n", s.center.x, s.center.y,
-                   s.center.z, s.radius);
-    fmt::format_to(out, "\t<udio reflektirane zrake => {}:\n\t<udio refraktirane zrake => {}:\n",
-                   m.reflection.r, m.refraction.r);
+    append(text, "\n<parametri {}. kugle{}>\n", i + 1, named ? ": " + name->second : "");
+    append(text, "\t<polozaj => {}, {}, {}:\n\t<radius => {}:\n", s.center.x, s.center.y,
+           s.center.z, s.radius);
+    append(text, "\t<udio reflektirane zrake => {}:\n\t<udio refraktirane zrake => {}:\n",
+           m.reflection.r, m.refraction.r);
     const auto color = [&](const char* label, const Color& c) {
-      fmt::format_to(out, "\t<{} => {}, {}, {}:\n", label, c.r, c.g, c.b);
+      append(text, "\t<{} => {}, {}, {}:\n", label, c.r, c.g, c.b);
     };
     color("ambientna komponenta ka", m.ambient);
     color("difuzna komponenta kd", m.diffuse);
     color("spekularna komponenta ks", m.specular);
-    fmt::format_to(out, "\t<n => {}:\n\t<faktor refrakcije ni => {}:\n", m.shininess, m.ior);
+    append(text, "\t<n => {}:\n\t<faktor refrakcije ni => {}:\n", m.shininess, m.ior);
   }
   return text;
 }

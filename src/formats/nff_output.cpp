@@ -7,17 +7,14 @@
 #include <optional>
 
 #include "formats/losses.hpp"
+#include "formats/vectors.hpp"
 #include "formats/writers.hpp"
 #include "shapes/bodies.hpp"
 
 namespace zraka {
 namespace {
 
-double dot(const Vec3& a, const Vec3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-double length(const Vec3& a) {
+double plain_length(const Vec3& a) {
   return std::sqrt(dot(a, a));
 }
 
@@ -35,10 +32,11 @@ std::optional<std::string> view_of(const Scene& scene) {
   const Camera& c = scene.camera;
   const Vec3 along{c.window_center.x - c.eye.x, c.window_center.y - c.eye.y,
                    c.window_center.z - c.eye.z};
-  const double away = length(along), wide = length(c.window_right), tall = length(c.window_up);
+  const double away = plain_length(along), wide = plain_length(c.window_right),
+               tall = plain_length(c.window_up);
   const double aspect = static_cast<double>(scene.resolution.width) / scene.resolution.height;
   const auto askew = [&](const Vec3& a, const Vec3& b) {
-    return !(std::fabs(dot(a, b)) <= kExact * length(a) * length(b));
+    return !(std::fabs(dot(a, b)) <= kExact * plain_length(a) * plain_length(b));
   };
   // The reader's right is where along × up points.
   const Vec3 right{along.y * c.window_up.z - along.z * c.window_up.y,

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/append.hpp"
 #include "formats/losses.hpp"
 #include "formats/plain_material.hpp"
 #include "formats/writers.hpp"
@@ -24,7 +24,7 @@ class PovrayWriter {
  private:
   template <class... Values>
   void put(fmt::format_string<Values...> format, Values&&... values) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+    append(text_, format, std::forward<Values>(values)...);
   }
   static std::string words(const Vec3& v) { return fmt::format("<{},{},{}>", v.x, v.y, v.z); }
   static std::string words(const Color& c) { return fmt::format("rgb <{},{},{}>", c.r, c.g, c.b); }

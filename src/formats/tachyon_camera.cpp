@@ -6,28 +6,13 @@
 #include <cmath>
 
 #include "formats/tachyon_reader.hpp"
+#include "formats/vectors.hpp"
 
 namespace zraka {
 namespace {
 
 constexpr double kDegrees = 180 / 3.14159265358979323846;
 
-Vec3 scaled(const Vec3& v, double s) {
-  return {v.x * s, v.y * s, v.z * s};
-}
-Vec3 sum(const Vec3& a, const Vec3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-/// 0 stays 0.
-Vec3 unit(const Vec3& v) {
-  const double most = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
-  if (!(most > 0)) return {};
-  const Vec3 w = scaled(v, 1 / most);
-  return scaled(w, 1 / std::sqrt(w.x * w.x + w.y * w.y + w.z * w.z));
-}
 bool is_zero(const Vec3& v) {
   return v == Vec3{};
 }
@@ -114,10 +99,10 @@ void TachyonReader::set_camera() {
   const double above = (bottom + top) / 2 + (top - bottom) / rows / 2;
   Camera& camera = scene_.camera;
   camera.eye = center_;
-  const Vec3 aside = sum(scaled(right, across), scaled(up, above));
-  camera.window_center = sum(sum(center_, view), aside);
-  camera.window_right = scaled(right, other - left);
-  camera.window_up = scaled(up, top - bottom);
+  const Vec3 aside = right * across + up * above;
+  camera.window_center = center_ + view + aside;
+  camera.window_right = right * (other - left);
+  camera.window_up = up * (top - bottom);
   // Without more samples Tachyon looks through the lens' middle alone.
   if (projection_ == "PERSPECTIVE_DOF" && samples_ > 0) {
     camera.aperture = aperture_ * std::sqrt(std::fabs((other - left) * (top - bottom)));
@@ -125,8 +110,8 @@ void TachyonReader::set_camera() {
   }
   if (projection_ == "ORTHOGRAPHIC") {
     camera.kind = CameraKind::orthographic;
-    camera.eye = sum(center_, aside);
-    camera.window_center = sum(camera.eye, view);
+    camera.eye = center_ + aside;
+    camera.window_center = camera.eye + view;
   }
   if (projection_ == "FISHEYE") {
     // Sides are angles of longitude and latitude.
@@ -135,14 +120,14 @@ void TachyonReader::set_camera() {
     camera.latitude_deg = std::fabs(top - bottom) * kDegrees;
     camera.latitude_middle_deg = above * kDegrees;
     const double turn = across;
-    const Vec3 ahead = sum(scaled(view, std::cos(turn)), scaled(right, std::sin(turn)));
-    camera.window_center = sum(center_, ahead);
-    camera.window_right = unit(sum(scaled(right, std::cos(turn)), scaled(view, -std::sin(turn))));
+    const Vec3 ahead = view * std::cos(turn) + right * std::sin(turn);
+    camera.window_center = center_ + ahead;
+    camera.window_right = unit(right * std::cos(turn) + view * -std::sin(turn));
     camera.window_up = up;
     // Sides that are swapped turn the picture round.
-    if (other < left) camera.window_right = scaled(camera.window_right, -1);
+    if (other < left) camera.window_right = camera.window_right * -1;
     if (top < bottom) {
-      camera.window_up = scaled(camera.window_up, -1);
+      camera.window_up = camera.window_up * -1;
       camera.latitude_middle_deg = -camera.latitude_middle_deg;
     }
   }

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "core/append.hpp"
 #include "formats/losses.hpp"
 #include "formats/writers.hpp"
 
@@ -29,7 +29,7 @@ class TachyonWriter {
 
   template <class... Values>
   void put(fmt::format_string<Values...> format, Values&&... values) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+    append(text_, format, std::forward<Values>(values)...);
   }
   void put_value(const char* keyword, const Vec3& v) {
     put("{} {} {} {} ", keyword, v.x, v.y, v.z);

@@ -6,19 +6,10 @@
 #include <cmath>
 
 #include "formats/tachyon_reader.hpp"
+#include "formats/vectors.hpp"
 
 namespace zraka {
 namespace {
-
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Vec3 scaled(const Vec3& v, double s) {
-  return {v.x * s, v.y * s, v.z * s};
-}
-double dot(const Vec3& a, const Vec3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 
 /// The map from u and v to space whose inverse is u = a·(p - center) + at_u, v likewise. None where
 /// the two are parallel.
@@ -28,9 +19,9 @@ std::optional<Transform> plane_map(const Vec3& a, const Vec3& b, const Vec3& cen
   const double volume = dot(c, c);
   if (!(volume > 0) || !std::isfinite(1 / volume)) return std::nullopt;
   Transform t;
-  t.along_x = scaled(cross(b, c), 1 / volume);
-  t.along_y = scaled(cross(c, a), 1 / volume);
-  t.along_z = scaled(c, 1 / volume);
+  t.along_x = cross(b, c) * (1 / volume);
+  t.along_y = cross(c, a) * (1 / volume);
+  t.along_z = c * (1 / volume);
   t.origin = {center.x - at_u * t.along_x.x - at_v * t.along_y.x,
               center.y - at_u * t.along_x.y - at_v * t.along_y.y,
               center.z - at_u * t.along_x.z - at_v * t.along_y.z};
@@ -228,8 +219,7 @@ bool TachyonReader::read_image_pattern(int function, TachyonSurface& s) {
     t.repeat_u = scale.x, t.offset_u = rotate.x;
     t.repeat_v = -scale.y, t.offset_v = 1 - rotate.y;
   } else {
-    const auto map = plane_map(scaled(u_axis, scale.x), scaled(v_axis, -scale.y), center, rotate.x,
-                               1 - rotate.y);
+    const auto map = plane_map(u_axis * scale.x, v_axis * -scale.y, center, rotate.x, 1 - rotate.y);
     if (!map) {
       warn(at, "UAXIS and VAXIS of a texture are parallel, or it has no SCALE: white is drawn");
       pattern_of_.erase(known);

@@ -22,14 +22,14 @@ constexpr std::uint64_t kMostBlockBytes = std::uint64_t{1} << 28;
 constexpr int kLongestSide = 1 << 24;
 
 /// What the library is given as its own, and gives back to the functions below.
-struct Stream {
+struct ExrStream {
   std::string_view bytes;
   std::string message;
 };
 
 std::int64_t read_bytes(exr_const_context_t, void* stream, void* out, std::uint64_t count,
                         std::uint64_t offset, exr_stream_error_func_ptr_t) {
-  const std::string_view bytes = static_cast<Stream*>(stream)->bytes;
+  const std::string_view bytes = static_cast<ExrStream*>(stream)->bytes;
   if (offset >= bytes.size()) return 0;
   const std::size_t got = std::min<std::uint64_t>(count, bytes.size() - offset);
   std::memcpy(out, bytes.data() + offset, got);
@@ -37,13 +37,13 @@ std::int64_t read_bytes(exr_const_context_t, void* stream, void* out, std::uint6
 }
 
 std::int64_t size_of(exr_const_context_t, void* stream) {
-  return static_cast<std::int64_t>(static_cast<Stream*>(stream)->bytes.size());
+  return static_cast<std::int64_t>(static_cast<ExrStream*>(stream)->bytes.size());
 }
 
 void on_error(exr_const_context_t context, exr_result_t, const char* text) {
   void* stream = nullptr;
   if (exr_get_user_data(context, &stream) == EXR_ERR_SUCCESS && stream != nullptr)
-    static_cast<Stream*>(stream)->message = text;
+    static_cast<ExrStream*>(stream)->message = text;
 }
 
 /// Memory that is 0: the library passes over blocks that unpack to less than they should, and what
@@ -83,7 +83,7 @@ class ExrReader {
   Result<void> read_tiles();
 
   const ImageFile& file_;
-  Stream stream_;
+  ExrStream stream_;
   exr_context_t context_ = nullptr;
   exr_decode_pipeline_t decoder_{};
   bool decoding_ = false;

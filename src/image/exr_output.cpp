@@ -32,7 +32,7 @@ std::int64_t write_bytes(exr_const_context_t, void* sink, const void* from, std:
   return static_cast<std::int64_t>(count);
 }
 
-void on_error(exr_const_context_t context, exr_result_t, const char* text) {
+void on_write_error(exr_const_context_t context, exr_result_t, const char* text) {
   void* sink = nullptr;
   if (exr_get_user_data(context, &sink) == EXR_ERR_SUCCESS && sink != nullptr)
     static_cast<Sink*>(sink)->message = text;
@@ -96,7 +96,7 @@ bool ExrWriter::good(exr_result_t code) {
 
 bool ExrWriter::start() {
   exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
-  start.error_handler_fn = on_error;
+  start.error_handler_fn = on_write_error;
   start.user_data = &sink_;
   start.write_fn = write_bytes;
   const Image& image = picture_.image;

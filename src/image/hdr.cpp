@@ -95,12 +95,12 @@ class HdrReader {
 
   /// "-Y 480 +X 640": 480 lines from the top, of 640 pixels from the left.
   static std::optional<Order> order_of(std::string_view text) {
-    struct Axis {
+    struct HdrAxis {
       bool negative, is_x;
       std::uint32_t count;
     };
-    std::array<Axis, 2> axes{};
-    for (Axis& axis : axes) {
+    std::array<HdrAxis, 2> axes{};
+    for (HdrAxis& axis : axes) {
       if (text.size() < 4 || (text[0] != '-' && text[0] != '+') ||
           (text[1] != 'X' && text[1] != 'Y') || text[2] != ' ')
         return std::nullopt;

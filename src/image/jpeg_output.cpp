@@ -18,24 +18,24 @@
 namespace zraka {
 namespace {
 
-struct Errors {
+struct WriteErrors {
   jpeg_error_mgr manager;
   std::jmp_buf back;
   std::array<char, JMSG_LENGTH_MAX> text;
   int error;  ///< errno
 };
 
-[[noreturn]] void on_error(j_common_ptr jpeg) {
-  auto* errors = reinterpret_cast<Errors*>(jpeg->err);
+[[noreturn]] void on_write_error(j_common_ptr jpeg) {
+  auto* errors = reinterpret_cast<WriteErrors*>(jpeg->err);
   errors->error = errno;
   errors->manager.format_message(jpeg, errors->text.data());
   std::longjmp(errors->back, 1);  // NOLINT: libjpeg's way
 }
 void say_nothing(j_common_ptr, int) {}
-void print_nothing(j_common_ptr) {}
+void print_nothing_of_writing(j_common_ptr) {}
 
 /// What lies between setjmp and longjmp owns nothing with a destructor.
-bool put_rows(jpeg_compress_struct& jpeg, Errors& errors, std::FILE* stream,
+bool put_rows(jpeg_compress_struct& jpeg, WriteErrors& errors, std::FILE* stream,
               const StoredPixels& pixels, const Image& image, int quality, unsigned char* row) {
   if (setjmp(errors.back) != 0) return false;  // NOLINT: libjpeg's way
   jpeg_create_compress(&jpeg);
@@ -62,12 +62,12 @@ bool put_rows(jpeg_compress_struct& jpeg, Errors& errors, std::FILE* stream,
 
 std::string put_jpeg(std::FILE* stream, const PictureToWrite& picture,
                      const WriteOptions& options) {
-  Errors errors{};
+  WriteErrors errors{};
   jpeg_compress_struct jpeg{};
   jpeg.err = jpeg_std_error(&errors.manager);
-  errors.manager.error_exit = on_error;
+  errors.manager.error_exit = on_write_error;
   errors.manager.emit_message = say_nothing;
-  errors.manager.output_message = print_nothing;
+  errors.manager.output_message = print_nothing_of_writing;
   const StoredPixels pixels(picture.image, nullptr, options);
   std::vector<unsigned char> row(pixels.bytes() * picture.image.width);
   const bool good =

@@ -12,19 +12,19 @@
 namespace zraka::language {
 namespace {
 
-using Kind = toml::Node::Kind;
+using NodeKind = toml::Node::Kind;
 
 FieldValue read_choice(const toml::Node& node, const Field& field, std::string_view what,
                        Problems& problems) {
   std::vector<std::string_view> names;
   for (std::size_t i = 0; i < field.about.choices.size(); ++i) {
     const Choice& choice = field.about.choices[i];
-    if (node.kind == Kind::text && choice.name == node.text) return Chosen{static_cast<int>(i)};
+    if (node.kind == NodeKind::text && choice.name == node.text) return Chosen{static_cast<int>(i)};
     names.push_back(choice.name);
   }
   const std::string message = fmt::format("{} of {} is {}: expected {}", field.key, what,
                                           shown(problems.source(node)), expected_of(field));
-  if (node.kind == Kind::text)
+  if (node.kind == NodeKind::text)
     problems.unknown(node.begin, message, node.text, names, "it can be");
   else
     problems.error(node.begin, message);
@@ -33,7 +33,8 @@ FieldValue read_choice(const toml::Node& node, const Field& field, std::string_v
 
 void refuse(const toml::Node& node, const Field& field, std::string_view what, Problems& problems) {
   std::string hint;
-  if (field.kind == FieldKind::color && node.kind == Kind::text) hint = hint_at_color(node.text);
+  if (field.kind == FieldKind::color && node.kind == NodeKind::text)
+    hint = hint_at_color(node.text);
   problems.error(node.begin,
                  fmt::format("{} of {} is {}: expected {}", field.key, what,
                              shown(problems.source(node)), expected_of(field)),
@@ -43,10 +44,10 @@ void refuse(const toml::Node& node, const Field& field, std::string_view what, P
 /// A list of tables, which whoever has the field reads.
 void check_shapes(const toml::Node& node, const Field& field, std::string_view what,
                   Problems& problems) {
-  if (node.kind != Kind::array || node.children.size() < field.about.fewest)
+  if (node.kind != NodeKind::array || node.children.size() < field.about.fewest)
     return refuse(node, field, what, problems);
   for (const toml::Node& child : node.children)
-    if (child.kind != Kind::table)
+    if (child.kind != NodeKind::table)
       problems.error(child.begin, fmt::format("{} of {} has {} in it: expected {}", field.key, what,
                                               shown(problems.source(child)), expected_of(field)));
 }
@@ -62,9 +63,10 @@ FieldValue read_value(const toml::Node& node, const Field& field, std::string_vi
   FieldValue value = value_as(field.kind, node);
   if (value.index() != 0 && allowed(field, value)) return value;
   const bool may_be_texture = field.about.textured || field.kind == FieldKind::texture;
-  const bool no_color = field.kind == FieldKind::color && node.kind == Kind::text &&
+  const bool no_color = field.kind == FieldKind::color && node.kind == NodeKind::text &&
                         node.text.starts_with('#') && !input.textures.contains(node.text);
-  if (may_be_texture && !no_color && (node.kind == Kind::text || node.kind == Kind::table)) {
+  if (may_be_texture && !no_color &&
+      (node.kind == NodeKind::text || node.kind == NodeKind::table)) {
     const std::optional<std::uint32_t> texture = read_texture(node, field, what, input);
     return texture ? FieldValue(TextureIndex{*texture}) : FieldValue();
   }
@@ -84,10 +86,10 @@ std::optional<std::size_t> table_by_kind(const toml::Node& node, const Field& fi
                      fmt::format("{}: {}", plural, fmt::join(names, ", ")));
     return std::nullopt;
   }
-  if (kind->kind == Kind::text)
+  if (kind->kind == NodeKind::text)
     for (std::size_t i = 0; i < names.size(); ++i)
       if (names[i] == kind->text) return i;
-  if (kind->kind == Kind::text)
+  if (kind->kind == NodeKind::text)
     problems.unknown(
         kind->begin,
         fmt::format("unknown kind '{}' for {} of {}", shown(kind->text), field.key, what),
@@ -140,7 +142,7 @@ void read_field(const toml::Node& node, const Field& field, std::string_view wha
                 Input& input) {
   Problems& problems = input.problems;
   if (field.kind == FieldKind::shapes) return check_shapes(node, field, what, problems);
-  if (!field.tables.empty() && node.kind == Kind::table)
+  if (!field.tables.empty() && node.kind == NodeKind::table)
     return read_table(node, field, what, object, input);
   if (field.kind == FieldKind::table) return refuse(node, field, what, problems);
   FieldValue value = read_value(node, field, what, input);

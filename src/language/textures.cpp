@@ -13,7 +13,7 @@
 namespace zraka::language {
 namespace {
 
-constexpr const Kind* kKinds[] = {
+constexpr const Kind* kTextureKinds[] = {
 #define ZRAKA_ADDRESS(kind) &texture::kind,
     ZRAKA_TEXTURES(ZRAKA_ADDRESS)
 #undef ZRAKA_ADDRESS
@@ -37,7 +37,7 @@ void tell_unknown(const toml::Node& node, const Field& field, std::string_view w
 
 }  // namespace
 
-constexpr Family kTextureFamily = {"texture", "", kKinds};
+constexpr Family kTextureFamily = {"texture", "", kTextureKinds};
 
 std::uint32_t add_texture(const toml::Node& node, Input& input) {
   TextureEntry entry;

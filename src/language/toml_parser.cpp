@@ -12,7 +12,7 @@
 namespace zraka::toml {
 namespace {
 
-using Kind = Node::Kind;
+using NodeKind = Node::Kind;
 using Made = Node::Made;
 
 bool is_key_letter(char c) {
@@ -195,20 +195,20 @@ bool Parser::read_header() {
     Node* child = table->find(path[i].name);
     if (child == nullptr) {
       child = &table->add(path[i].name);
-      child->kind = last && list ? Kind::array : Kind::table;
+      child->kind = last && list ? NodeKind::array : NodeKind::table;
       begins_here(*child, path[i],
                   !last  ? Made::in_passing
                   : list ? Made::by_headers
                          : Made::by_header);
     } else if (last && !list) {
-      if (child->kind != Kind::table || child->made != Made::in_passing)
+      if (child->kind != NodeKind::table || child->made != Made::in_passing)
         return redefined(path[i], *child);
       begins_here(*child, path[i], Made::by_header);
-    } else if (child->made == Made::by_value || child->kind > Kind::array ||
+    } else if (child->made == Made::by_value || child->kind > NodeKind::array ||
                (last && child->made != Made::by_headers)) {
       return redefined(path[i], *child);
     }
-    if (child->kind == Kind::array) {  // of headers: the table that was begun last
+    if (child->kind == NodeKind::array) {  // of headers: the table that was begun last
       if (last) begins_here(child->children.emplace_back(), path[i], Made::by_header);
       child = &child->children.back();
     }
@@ -234,7 +234,7 @@ bool Parser::read_pair(Node& into, int depth) {
       child->made = Made::by_dots;
       child->key_begin = child->begin = static_cast<std::uint32_t>(path[i].position);
       child->end = static_cast<std::uint32_t>(path[i].position + path[i].name.size());
-    } else if (child->kind != Kind::table || child->made != Made::by_dots) {
+    } else if (child->kind != NodeKind::table || child->made != Made::by_dots) {
       return redefined(path[i], *child);
     }
     table = child;
@@ -261,7 +261,7 @@ bool Parser::read_value(Node& node, int depth) {
   const char c = peek();
   bool good = false;
   if (c == '"' || c == '\'') {
-    node.kind = Kind::text;
+    node.kind = NodeKind::text;
     good = read_text(false, node.text);
   } else if (c == '[') {
     good = read_array(node, depth);
@@ -284,7 +284,7 @@ bool Parser::read_value(Node& node, int depth) {
 }
 
 bool Parser::read_array(Node& node, int depth) {
-  node.kind = Kind::array;
+  node.kind = NodeKind::array;
   const std::size_t begin = at_++;
   for (;;) {
     skip_lines();
@@ -303,7 +303,7 @@ bool Parser::read_array(Node& node, int depth) {
 }
 
 bool Parser::read_inline_table(Node& node, int depth) {
-  node.kind = Kind::table;
+  node.kind = NodeKind::table;
   const std::size_t begin = at_++;
   for (;;) {
     skip_lines();

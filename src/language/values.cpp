@@ -13,7 +13,7 @@
 namespace zraka::language {
 namespace {
 
-using Kind = toml::Node::Kind;
+using NodeKind = toml::Node::Kind;
 
 std::string range_of(const Range& range, bool one) {
   const bool low = std::isfinite(range.least), high = std::isfinite(range.most);
@@ -40,11 +40,11 @@ bool in_range(const Vec3& v, const About& about) {
 }
 
 bool is_number(const toml::Node& node) {
-  return node.kind == Kind::number || node.kind == Kind::integer;
+  return node.kind == NodeKind::number || node.kind == NodeKind::integer;
 }
 
 FieldValue vector_of(const toml::Node& node) {
-  if (node.kind != Kind::array || node.children.size() != 3 ||
+  if (node.kind != NodeKind::array || node.children.size() != 3 ||
       !std::all_of(node.children.begin(), node.children.end(), is_number))
     return {};
   return Vec3{node.children[0].number, node.children[1].number, node.children[2].number};
@@ -52,7 +52,7 @@ FieldValue vector_of(const toml::Node& node) {
 
 FieldValue color_of(const toml::Node& node) {
   if (is_number(node)) return Color{node.number, node.number, node.number};
-  if (node.kind == Kind::text) {
+  if (node.kind == NodeKind::text) {
     const std::optional<Color> color = color_of_hex(node.text);
     return color ? FieldValue(*color) : FieldValue();
   }
@@ -64,7 +64,7 @@ FieldValue color_of(const toml::Node& node) {
 /// A list of what is a T by itself.
 template <class T>
 FieldValue list_of(const toml::Node& node, FieldValue (*one)(const toml::Node&)) {
-  if (node.kind != Kind::array) return {};
+  if (node.kind != NodeKind::array) return {};
   std::vector<T> all;
   for (const toml::Node& child : node.children) {
     const FieldValue value = one(child);
@@ -79,15 +79,15 @@ FieldValue number_of(const toml::Node& node) {
 }
 
 FieldValue integer_of(const toml::Node& node) {
-  return node.kind == Kind::integer ? FieldValue(node.integer) : FieldValue();
+  return node.kind == NodeKind::integer ? FieldValue(node.integer) : FieldValue();
 }
 
 FieldValue uvs_of(const toml::Node& node) {
   CornerUvs uvs{};
-  if (node.kind != Kind::array || node.children.size() != uvs.size()) return {};
+  if (node.kind != NodeKind::array || node.children.size() != uvs.size()) return {};
   for (std::size_t corner = 0; corner < uvs.size(); ++corner) {
     const toml::Node& uv = node.children[corner];
-    if (uv.kind != Kind::array || uv.children.size() != 2) return {};
+    if (uv.kind != NodeKind::array || uv.children.size() != 2) return {};
     for (std::size_t i = 0; i < 2; ++i) {
       if (!is_number(uv.children[i])) return {};
       const double number = uv.children[i].number;
@@ -146,13 +146,13 @@ FieldValue value_as(FieldKind kind, const toml::Node& node) {
     case FieldKind::integer:
       return integer_of(node);
     case FieldKind::boolean:
-      return node.kind == Kind::boolean ? FieldValue(node.truth) : FieldValue();
+      return node.kind == NodeKind::boolean ? FieldValue(node.truth) : FieldValue();
     case FieldKind::vector:
       return vector_of(node);
     case FieldKind::color:
       return color_of(node);
     case FieldKind::text:
-      return node.kind == Kind::text ? FieldValue(std::string(node.text)) : FieldValue();
+      return node.kind == NodeKind::text ? FieldValue(std::string(node.text)) : FieldValue();
     case FieldKind::points:
       return list_of<Vec3>(node, vector_of);
     case FieldKind::colors:

@@ -5,13 +5,10 @@
 
 #include "math/vec.hpp"
 #include "scene/polygon.hpp"
+#include "shapes/bodies/body.hpp"
 
 namespace zraka {
 namespace {
-
-V3<double> vector_of(const Vec3& v) {
-  return {v.x, v.y, v.z};
-}
 
 /// Twice the area long.
 V3<double> normal_of(const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -12,7 +12,7 @@ namespace zraka {
 namespace {
 
 /// The value of a key in the second line of extended XYZ: a word, or what is in quotes or braces.
-std::optional<std::string_view> value_of(std::string_view line, std::string_view key) {
+std::optional<std::string_view> attribute_of(std::string_view line, std::string_view key) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
   const auto is_key = [&](std::size_t at) {
     if (at > 0 && line[at - 1] != ' ' && line[at - 1] != '\t') return false;
@@ -97,7 +97,7 @@ class XyzReader {
   }
 
   bool read_lattice(std::string_view comment) {
-    const std::optional<std::string_view> text = value_of(comment, "lattice");
+    const std::optional<std::string_view> text = attribute_of(comment, "lattice");
     if (!text) return true;
     double numbers[9];
     Words words(*text);
@@ -118,7 +118,7 @@ class XyzReader {
   }
 
   bool lay_out(std::string_view comment) {
-    const std::optional<std::string_view> properties = value_of(comment, "properties");
+    const std::optional<std::string_view> properties = attribute_of(comment, "properties");
     if (properties) {
       if (!lay_out_properties(*properties)) return false;
     } else {
@@ -214,7 +214,7 @@ bool is_xyz(std::string_view text) {
   const char* const third = after_lines(text.data(), end, 2);
   if (third == nullptr) return false;
   const char* const second = after_lines(text.data(), end, 1);
-  if (value_of(line_at(second, end), "properties")) return true;
+  if (attribute_of(line_at(second, end), "properties")) return true;
   Words words(line_at(third, end));
   const std::string_view label = words.next();
   if (label.empty() || label.size() > 12) return false;

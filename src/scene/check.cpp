@@ -12,6 +12,7 @@
 #include "core/in_parallel.hpp"
 #include "materials/dispersion.hpp"
 #include "scene/check_bodies.hpp"
+#include "scene/check_shape.hpp"
 #include "scene/freeze.hpp"
 #include "scene/view.hpp"
 #include "scene/view_axes.hpp"
@@ -22,7 +23,6 @@ namespace zraka {
 namespace {
 
 /// Squares and products of what is this far stay finite.
-constexpr double kFarthest = 1e100;
 
 bool within_reach(const Vec3& v) {
   return std::fabs(v.x) <= kFarthest && std::fabs(v.y) <= kFarthest && std::fabs(v.z) <= kFarthest;

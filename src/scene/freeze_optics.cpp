@@ -6,13 +6,11 @@
 #include <limits>
 
 #include "math/elementary.hpp"
+#include "shapes/bodies/body.hpp"
 
 namespace zraka {
 namespace {
 
-V3<double> vector_of(const Vec3& v) {
-  return {v.x, v.y, v.z};
-}
 V3<double> vector_of(const Color& c) {
   return {c.r, c.g, c.b};
 }
@@ -42,9 +40,8 @@ V3<double> in_frame(const Frame& frame, const Vec3& point) {
 
 OpticalMaterial freeze_material(const Material& m, const Frame& frame) {
   const auto textured = [&](Coefficient coefficient) {
-    return std::any_of(m.textures.begin(), m.textures.end(), [&](const TextureUse& use) {
-      return use.coefficient == coefficient;
-    });
+    return std::any_of(m.textures.begin(), m.textures.end(),
+                       [&](const TextureUse& use) { return use.coefficient == coefficient; });
   };
   return {.k1 = vector_of(m.reflection),
           .k2 = vector_of(m.refraction),
@@ -81,8 +78,7 @@ OpticalLight freeze_light(const Light& light, const Frame& frame) {
   }
   if (light.kind == LightKind::disc) {
     const V3<double> n = unit(vector_of(light.normal));
-    const V3<double> other =
-        std::fabs(n.x) < 0.5 ? V3<double>{1, 0, 0} : V3<double>{0, 1, 0};
+    const V3<double> other = std::fabs(n.x) < 0.5 ? V3<double>{1, 0, 0} : V3<double>{0, 1, 0};
     const V3<double> a = unit(cross(n, other));
     out.edge_u = a * frame.length(light.radius);
     out.edge_v = cross(n, a) * frame.length(light.radius);
@@ -125,8 +121,9 @@ OpticalFog freeze_fog(const Scene& scene, const Frame& frame) {
   out.color = vector_of(fog.color);
   out.planar = fog.planar;
   const Camera& camera = scene.camera;
-  out.ahead = unit(V3<double>{camera.window_center.x - camera.eye.x, camera.window_center.y - camera.eye.y,
-                              camera.window_center.z - camera.eye.z});
+  out.ahead =
+      unit(V3<double>{camera.window_center.x - camera.eye.x, camera.window_center.y - camera.eye.y,
+                      camera.window_center.z - camera.eye.z});
   return out;
 }
 
@@ -153,9 +150,8 @@ void find_bounds(const Scene& scene, FrozenOptics& out) {
   for (const Light& each : scene.lights) {
     // A light without a constant term is as bright as one likes close by.
     const double strongest = each.kind == LightKind::directional ? 1
-                             : each.attenuation.x > 0
-                                 ? 1 / each.attenuation.x
-                                 : std::numeric_limits<double>::infinity();
+                             : each.attenuation.x > 0            ? 1 / each.attenuation.x
+                                                      : std::numeric_limits<double>::infinity();
     light = plus(light, product(vector_of(each.color), {strongest, strongest, strongest}));
   }
   const double most_occluded =
@@ -164,21 +160,20 @@ void find_bounds(const Scene& scene, FrozenOptics& out) {
           : 1;
   double most_texture = 1;
   for (const Texture& texture : scene.textures) {
-    for (const Color& c : texture.colors) most_texture = std::max(most_texture, most_of(vector_of(c)));
+    for (const Color& c : texture.colors)
+      most_texture = std::max(most_texture, most_of(vector_of(c)));
     most_texture = std::max(most_texture, most_of_image(texture));
   }
   for (const Material& m : scene.materials) {
     const auto coefficient = [&](Coefficient which, const Color& plain) {
       for (const TextureUse& use : m.textures)
-        if (use.coefficient == which)
-          return V3<double>{most_texture, most_texture, most_texture};
+        if (use.coefficient == which) return V3<double>{most_texture, most_texture, most_texture};
       return vector_of(plain);
     };
-    const V3<double> local =
-        product(vector_of(scene.ambient_light) * most_occluded,
-                coefficient(Coefficient::ambient, m.ambient)) +
-        product(light, coefficient(Coefficient::diffuse, m.diffuse) +
-                           coefficient(Coefficient::specular, m.specular));
+    const V3<double> local = product(vector_of(scene.ambient_light) * most_occluded,
+                                     coefficient(Coefficient::ambient, m.ambient)) +
+                             product(light, coefficient(Coefficient::diffuse, m.diffuse) +
+                                                coefficient(Coefficient::specular, m.specular));
     out.most_local = std::max(out.most_local, most_of(local));
     out.most_shares =
         std::max(out.most_shares, most_of(coefficient(Coefficient::reflection, m.reflection) +

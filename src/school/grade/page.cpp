@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/append.hpp"
 #include "core/base64.hpp"
 #include "core/page_css.hpp"
 #include "core/text.hpp"
@@ -36,7 +37,7 @@ class Page {
   }
   template <class... Values>
   void put(fmt::format_string<Values...> text, Values&&... values) {
-    fmt::format_to(std::back_inserter(out_), text, std::forward<Values>(values)...);
+    append(out_, text, std::forward<Values>(values)...);
   }
 
   void head(const std::string& title, const std::string& scene);

@@ -19,8 +19,8 @@ Rubric default_rubric() {
 
 Result<Rubric> read_rubric(const std::string& path) {
   constexpr std::string_view kKeys = "marks, tolerance, share, for_mistake, once, allowed";
-  constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 16;
-  const Result<std::string> text = read_file(path, kMostBytes);
+  constexpr std::uint64_t kMostOfRubric = std::uint64_t{1} << 16;
+  const Result<std::string> text = read_file(path, kMostOfRubric);
   if (!text) return tl::make_unexpected(text.error());
   const Result<Json> json = Json::parse(*text, path);
   if (!json) return tl::make_unexpected(json.error());

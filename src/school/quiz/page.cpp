@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The quiz as a page: to answer at a screen, or to print for a class.
+#include "core/append.hpp"
 #include "core/base64.hpp"
 #include "core/page_css.hpp"
 #include "core/text.hpp"
@@ -30,7 +31,7 @@ class Page {
   }
   template <class... Values>
   void put(fmt::format_string<Values...> text, Values&&... values) {
-    fmt::format_to(std::back_inserter(out_), text, std::forward<Values>(values)...);
+    append(out_, text, std::forward<Values>(values)...);
   }
 
   void head(Word title, bool with_seed);

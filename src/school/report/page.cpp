@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/append.hpp"
 #include "core/base64.hpp"
 #include "core/counted.hpp"
 #include "core/text.hpp"
@@ -71,7 +72,7 @@ class Page {
   }
   template <class... Values>
   void put(fmt::format_string<Values...> text, Values&&... values) {
-    fmt::format_to(std::back_inserter(out_), text, std::forward<Values>(values)...);
+    append(out_, text, std::forward<Values>(values)...);
   }
 
   void head();
@@ -109,8 +110,7 @@ void Page::head() {
   put("<p class=\"facts\">{}</p>\n</header>\n",
       say(Word::report_scene, options_.scene,
           fmt::format("{}×{}", facts_.resolution.width, facts_.resolution.height),
-          zraka::say(options_.language, word_of(options_.profile)),
-          facts_.max_depth));
+          zraka::say(options_.language, word_of(options_.profile)), facts_.max_depth));
 }
 
 void Page::paragraph(const std::string& text, std::string_view formula) {
