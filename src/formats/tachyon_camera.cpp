@@ -243,7 +243,7 @@ bool TachyonReader::read_clip_group() {
       warn(at, "a plane of START_CLIPGROUP has no normal: it cuts nothing off");
       continue;
     }
-    cut.point = scaled(cut.normal, distance / square);
+    cut.point = cut.normal * (distance / square);
     cuts.push_back(cut);
   }
   cut_group_ = 0;
