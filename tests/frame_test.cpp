@@ -302,5 +302,23 @@ TEST(Frame, SaysWhatFloatsCannotHold) {
             "error: light 1 is farther than 1e+100 from the origin\n");
 }
 
+TEST(Frame, LetsARayIntoTheGlassOfABallSeenFromClose) {
+  // The ray through the middle enters the ball in the very point that its numbers are kept from.
+  Scene scene;
+  scene.resolution = {5, 5};
+  scene.camera = {{0, 0, 10}, {0, 0, 0}, {0.001, 0, 0}, {0, 0.001, 0}};
+  scene.background = {1, 1, 1};
+  scene.materials = {{.ambient = {}, .diffuse = {}, .refraction = 1, .absorption = {0.5, 1, 2}}};
+  for (const double radius : {1.0, 2.0, 8.0}) {
+    scene.spheres = {{{{0, 0, 0}, radius}, 0}};
+    for (const Isa isa : available_isas()) {
+      const Image image = picture_of(scene, {.isa = isa});
+      const float* middle = image.row(2) + 6;
+      for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(middle[k], std::exp(-2 * radius * (0.5 * (1 << k))), 1e-5) << name_of(isa);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace zraka

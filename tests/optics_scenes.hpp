@@ -52,6 +52,7 @@ struct OpticsCase {
   RenderOptions options{};
 };
 
+/// The first case is one of the lean engine, with Blinn's highlights; the others are not.
 inline std::vector<OpticsCase> optics_cases() {
   std::vector<OpticsCase> all;
   const auto add = [&](std::string name, const auto& change) {
@@ -59,6 +60,10 @@ inline std::vector<OpticsCase> optics_cases() {
     change(one.scene, one.options);
     all.push_back(std::move(one));
   };
+  add("Blinn's highlights", [](Scene& scene, RenderOptions&) {
+    for (Material& material : scene.materials) material.highlight = Highlight::blinn;
+    scene.materials[2].reflection = 0.5;
+  });
   add("spot", [](Scene& s, RenderOptions&) {
     s.lights[0].kind = LightKind::spot;
     s.lights[0].direction = {-2, -4, -3};

@@ -47,10 +47,16 @@ void add_wall(Scene& scene, double z, double half, std::uint32_t material) {
 TEST(GeneralEngine, AgreesWithTheLabsOnItsScenes) {
   for (const NamedScene& named : test_scenes(100)) {
     for (const ProfileName profile : {ProfileName::lab, ProfileName::physical}) {
-      RenderOptions options{.profile = profile_of(profile)};
-      const Image lean = rendered(named.scene, options);
-      options.min_contribution = 1e-30;
-      EXPECT_GT(agreement(lean, rendered(named.scene, options), 1e-4f), 0.995) << named.name;
+      for (const Highlight highlight : {Highlight::phong, Highlight::blinn}) {
+        Scene scene = named.scene;
+        for (Material& material : scene.materials) material.highlight = highlight;
+        RenderOptions options{.profile = profile_of(profile)};
+        ASSERT_FALSE(needs_general_engine(scene, options));
+        const Image lean = rendered(scene, options);
+        options.min_contribution = 1e-30;
+        ASSERT_TRUE(needs_general_engine(scene, options));
+        EXPECT_GT(agreement(lean, rendered(scene, options), 1e-4f), 0.995) << named.name;
+      }
     }
   }
 }

@@ -2,6 +2,8 @@
 // Local light: Phong's model with shadow rays (sheet 3.3).
 #pragma once
 
+#include <limits>
+
 #include "accel/traverse.hpp"
 #include "engine/camera_rays.hpp"
 #include "engine/engine.hpp"
@@ -117,11 +119,17 @@ void trace_shadow_rays(const FrozenScene<R>& scene, std::size_t shadow_rays, Scr
   }
 }
 
+/// N·H, H halfway between light and viewer (Blinn 1977); 0 where these are opposite.
+template <class F>
+ZRAKA_INLINE F n_h(const V3<F>& normal, const V3<F>& l, const V3<F>& v) {
+  const V3<F> half = l + v;
+  return dot(normal, half) / sqrt(max(dot(half, half), F(std::numeric_limits<float>::min())));
+}
+
 /// Adds one light's diffuse and specular terms to the hits that it reaches.
 template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
-void add_light(const FrozenLight<R>& light, const Terms& terms,
-               Level<R>& level, const Scratch<R>& scratch, const Recorder& record = {},
-               const Ruling& rules = {}) {
+void add_light(const FrozenLight<R>& light, const Terms& terms, Level<R>& level,
+               const Scratch<R>& scratch, const Recorder& record = {}, const Ruling& rules = {}) {
   using F = typename L::F;
   const auto n = static_cast<std::size_t>(level.hit_count);
   const V3<F> intensity = broadcast<L>(light.color);
@@ -145,10 +153,12 @@ void add_light(const FrozenLight<R>& light, const Terms& terms,
     if (terms.specular && (Recorder::kKeeps || !all(dull))) {
       const V3<F> v{L::load(scratch.vx + h), L::load(scratch.vy + h), L::load(scratch.vz + h)};
       const V3<F> r = rules.mirrored(l, normal, l_n);
-      const F r_v = rules.r_v(r, v, l, normal, [&] {
+      F r_v = rules.r_v(r, v, l, normal, [&] {
         const auto first = typename L::I(level.hits.ray[h]);
         return Indices<L>(select(exists, L::load(level.hits.ray + h), first)).load(scratch.t);
       });
+      if (const auto blinn = material[kBlinn] > F(0); any(blinn))
+        r_v = select(blinn, n_h(normal, l, v), r_v);
       const auto shines = both(lit, rules.shines(r_v));
       record.keep(Quantity::mirrored, h, r);
       record.keep(Quantity::r_v, h, r_v);
@@ -188,7 +198,8 @@ void start_local(const FrozenScene<R>& scene, const Terms& terms, Level<R>& leve
   }
 }
 
-/// I = Ia·ka + for each light that reaches the hit: Ii·kd·(L·N) + Ii·ks·(R·V)^n.
+/// I = Ia·ka + for each light that reaches the hit: Ii·kd·(L·N) + Ii·ks·(R·V)^n, or, where the
+/// material says so, (N·H)^n.
 template <class L, class R = typename L::Real, class Recorder, class Stepping>
 void light_hits(const FrozenScene<R>& scene, const TraceSettings& settings, Level<R>& level,
                 Scratch<R>& scratch, RayCounts& counts, const Recorder& record,

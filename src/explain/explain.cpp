@@ -153,7 +153,7 @@ Result<Explainer> varied_explainer(const Scene& scene, const RenderOptions& opti
                                    const Variation& variation) {
   const Result<Isa> isa = isa_to_listen_to(scene, options);
   if (!isa) return tl::make_unexpected(isa.error());
-  if (variation.kernel != nullptr && needs_general_engine(scene, options)) return beyond_the_lab();
+  if (variation.kernel != nullptr && is_beyond_the_lab(scene, options)) return beyond_the_lab();
   RenderOptions asked = options;
   if (variation.kernel != nullptr) {
     asked.sampling = {};

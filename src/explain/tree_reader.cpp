@@ -115,6 +115,7 @@ ExplainedHit TreeReader::surface(const Level<float>& level, const Scratch<float>
   hit.kd = {m[kDiffuse], m[kDiffuse + 1], m[kDiffuse + 2]};
   hit.ks = {m[kSpecular], m[kSpecular + 1], m[kSpecular + 2]};
   hit.shininess = m[kShininess];
+  hit.highlight = m[kBlinn] > 0 ? Highlight::blinn : Highlight::phong;
   hit.k1 = m[kReflection];
   hit.k2 = m[kRefraction];
   hit.reflection = {hit.k1, hit.k1, hit.k1};

@@ -108,9 +108,14 @@ void finish(PreparedScene<R>& prepared, const RenderOptions& options) {
   add_hierarchy(store, prepared.hierarchy, options);
 }
 
-/// Whether what is asked for is beyond the lab's engine.
-bool has_optics(const RenderOptions& options) {
-  return options.shadows == Shadows::transparent || options.min_contribution > 0;
+/// Whether what is asked for is beyond the lean engine, whatever the scene's optics.
+bool asks_for_more(const Scene& scene, const RenderOptions& options) {
+  const auto has_children = [](const Material& m) {
+    return m.reflection != Color{} || m.refraction != Color{} || !m.textures.empty();
+  };
+  return options.shadows == Shadows::transparent || options.min_contribution > 0 ||
+         (options.profile.sky_beyond &&
+          std::any_of(scene.materials.begin(), scene.materials.end(), has_children));
 }
 
 /// No ray brings more than this, by any channel.
@@ -136,7 +141,13 @@ double brightest_of(const FrozenOptics& optics, const RenderOptions& options,
 }  // namespace
 
 bool needs_general_engine(const Scene& scene, const RenderOptions& options) {
-  return has_optics(scene) || has_optics(options);
+  return has_optics(scene) || asks_for_more(scene, options);
+}
+
+bool is_beyond_the_lab(const Scene& scene, const RenderOptions& options) {
+  return needs_general_engine(scene, options) ||
+         std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& m) { return m.highlight != Highlight::phong; });
 }
 
 template <class R>
@@ -165,7 +176,7 @@ TraceSettings settings_of(const RenderOptions& options, const PreparedScene<R>& 
 template <class R>
 PreparedScene<R> prepare(const Scene& scene, const RenderOptions& options) {
   PreparedScene<R> prepared{frame_of(scene), {}, nullptr};
-  prepared.store = freeze<R>(scene, options.profile, prepared.frame, has_optics(options));
+  prepared.store = freeze<R>(scene, options.profile, prepared.frame, asks_for_more(scene, options));
   finish(prepared, options);
   return prepared;
 }
@@ -173,7 +184,7 @@ PreparedScene<R> prepare(const Scene& scene, const RenderOptions& options) {
 template <class R>
 PreparedScene<R> prepare_with_room(const Scene& scene, const RenderOptions& options, R room) {
   PreparedScene<R> prepared{frame_of(scene), {}, nullptr};
-  prepared.store = freeze<R>(scene, options.profile, prepared.frame, has_optics(options));
+  prepared.store = freeze<R>(scene, options.profile, prepared.frame, asks_for_more(scene, options));
   FrozenCamera<R>& camera = prepared.store->scene.camera;
   const FrozenCamera<R> own = camera;
   camera.beyond = std::max(camera.beyond, room);
@@ -185,7 +196,7 @@ PreparedScene<R> prepare_with_room(const Scene& scene, const RenderOptions& opti
 template <class R>
 PreparedScene<R> prepare(Scene&& scene, const RenderOptions& options) {
   PreparedScene<R> prepared{frame_of(scene), {}, nullptr};
-  prepared.store = freeze<R>(scene, options.profile, prepared.frame, has_optics(options));
+  prepared.store = freeze<R>(scene, options.profile, prepared.frame, asks_for_more(scene, options));
   scene = Scene();
   finish(prepared, options);
   return prepared;

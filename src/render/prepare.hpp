@@ -14,9 +14,12 @@ namespace zraka {
 /// What is wrong with options or scene; empty when all is well.
 Diagnostics check_request(const Scene& scene, const RenderOptions& options);
 
-/// Whether the picture asks for more than the lab's optics: then the general engine traces it
-/// (engine/general/), and lessons cannot vary its rules.
+/// Whether the picture asks for more than the lean engine's optics: then the general engine traces
+/// it (engine/general/).
 bool needs_general_engine(const Scene& scene, const RenderOptions& options);
+
+/// Whether the picture asks for more than the lab's optics: then lessons cannot vary its rules.
+bool is_beyond_the_lab(const Scene& scene, const RenderOptions& options);
 
 /// The scene as the engine reads it, and the memory behind it.
 template <class R>

@@ -220,7 +220,7 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
   if (is_cancelled(options)) return failure("", "the render was cancelled");
   const Result<Isa> isa = choose_isa(options.isa);
   if (!isa) return tl::make_unexpected(isa.error());
-  if (variation.kernel != nullptr && needs_general_engine(scene, options)) return beyond_the_lab();
+  if (variation.kernel != nullptr && is_beyond_the_lab(scene, options)) return beyond_the_lab();
   if (*isa == Isa::oracle && variation.kernel != nullptr)
     return failure("", "the oracle keeps to the rules", "ask for avx512, avx2 or portable");
 

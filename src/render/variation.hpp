@@ -26,7 +26,7 @@ Result<void> check_lesson(const Scene& scene);
 /// What to answer where the rules of a picture shall be varied that asks for more than the lab's.
 tl::unexpected<Diagnostics> beyond_the_lab();
 
-/// render() with a variation; not for Isa::oracle. Fails where needs_general_engine().
+/// render() with a variation; not for Isa::oracle. Fails where is_beyond_the_lab().
 Result<Rendering> render_varied(const Scene& scene, const RenderOptions& options,
                                 const Variation& variation);
 /// Explainer::create() with a variation.

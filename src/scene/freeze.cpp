@@ -51,7 +51,8 @@ void freeze_material(const Material& m, const Profile& profile, R* row) {
   const double into = profile.index_is_ratio ? m.ior : 1 / m.ior;
   row[kRatioIn] = narrow<R>(into);
   row[kRatioOut] = narrow<R>(1 / into);
-  std::fill(row + kRatioOut + 1, row + kMaterialReals, R(0));
+  row[kBlinn] = m.highlight == Highlight::blinn ? R(1) : R(0);
+  std::fill(row + kBlinn + 1, row + kMaterialReals, R(0));
 }
 
 /// Which of the kinds that there are for them a scene's shapes become.

@@ -25,9 +25,9 @@ double most_of(const V3<double>& v) {
 }
 
 bool has_optics(const Material& m) {
-  return !m.reflection.is_grey() || !m.refraction.is_grey() || m.highlight != Highlight::phong ||
-         m.fresnel != Fresnel::off || m.absorption != Color{} || m.priority != 0 ||
-         !m.casts_shadow || m.dispersion.kind != Dispersion::Kind::none;
+  return !m.reflection.is_grey() || !m.refraction.is_grey() || m.fresnel != Fresnel::off ||
+         m.absorption != Color{} || m.priority != 0 || !m.casts_shadow ||
+         m.dispersion.kind != Dispersion::Kind::none;
 }
 
 /// In the engine's frame; its numbers, like those of points, may be beyond floats.

@@ -26,6 +26,7 @@ enum MaterialColumn {
   kRefraction,     // k2
   kRatioIn,        // n1/n2 where a ray enters
   kRatioOut,       // n1/n2 where a ray leaves
+  kBlinn,          // 1 where the highlight is Blinn's, 0 where it is Phong's
   kMaterialReals = 16
 };
 

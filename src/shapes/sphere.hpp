@@ -135,9 +135,11 @@ struct AnchoredPointPower {
     const V3<F> w{s[4] - s[0], s[5] - s[1], s[6] - s[2]};
     return dot(g, V3<F>{g.x + (w.x + w.x), g.y + (w.y + w.y), g.z + (w.z + w.z)});
   }
-  /// Distances to the anchor.
+  /// Distances to the anchor; in the anchor itself, where nothing is rounded, next to nothing: the
+  /// next ray must still begin on its side.
   static ZRAKA_INLINE F magnitude(const F* s, const V3<F>& p) {
-    return SphereLanes<L, AnchoredPointPower>::largest({p.x - s[4], p.y - s[5], p.z - s[6]});
+    const V3<F> g{p.x - s[4], p.y - s[5], p.z - s[6]};
+    return max(SphereLanes<L, AnchoredPointPower>::largest(g), F(0x1p-60f));
   }
 };
 

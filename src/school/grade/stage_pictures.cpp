@@ -87,7 +87,7 @@ const Image& StagePictures::right(int stage) const {
 std::vector<Candidate> StagePictures::render_all(int stage) const {
   std::vector<Candidate> all;
   // Mistakes are those of the lab's rules.
-  if (needs_general_engine(scene_, options_)) return all;
+  if (is_beyond_the_lab(scene_, options_)) return all;
   const std::uint32_t by = stride(kCoarseSide);
   const Image& right = coarse_[index(stage)];
   for (const MistakeEntry& entry : all_mistakes()) {

@@ -99,7 +99,7 @@ Result<void> ColorAsker::prepare() {
   if (studio_.options().profile.average_corners) return {};  // four sums for one pixel
   if (studio_.scene().lights.size() > kMostLights) return {};
   // What is listed for a colour to be computed from is the lab's.
-  if (needs_general_engine(studio_.scene(), studio_.options())) return {};
+  if (is_beyond_the_lab(studio_.scene(), studio_.options())) return {};
   const Result<const std::vector<Variant>*> variants = studio_.without_terms();
   if (!variants) return tl::make_unexpected(variants.error());
   const PackedImage right(studio_.right());

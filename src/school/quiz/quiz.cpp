@@ -62,7 +62,7 @@ Result<Quiz> asked(Studio& studio, const QuizOptions& options) {
       askers.erase(askers.begin() + static_cast<std::ptrdiff_t>(turn));
     }
   }
-  if (quiz.questions.empty() && needs_general_engine(studio.scene(), studio.options()))
+  if (quiz.questions.empty() && is_beyond_the_lab(studio.scene(), studio.options()))
     return failure("", phrase(Word::quiz_beyond), phrase(Word::mistake_rules));
   if (quiz.questions.empty())
     return failure("", phrase(Word::quiz_nothing), phrase(Word::quiz_needs));

@@ -87,7 +87,7 @@ Result<const std::vector<Variant>*> Studio::with_mistakes() {
   if (!with_mistakes_) {
     std::vector<Variant> list;
     // Mistakes are those of the lab's rules.
-    const bool none = needs_general_engine(*scene_, options_);
+    const bool none = is_beyond_the_lab(*scene_, options_);
     for (const MistakeEntry& entry : all_mistakes()) {
       if (none) break;
       // Half a pixel moves every edge, and nobody sees it.
