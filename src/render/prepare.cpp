@@ -111,7 +111,7 @@ void finish(PreparedScene<R>& prepared, const RenderOptions& options) {
 /// Whether what is asked for is beyond the lean engine, whatever the scene's optics.
 bool asks_for_more(const Scene& scene, const RenderOptions& options) {
   const auto has_children = [](const Material& m) {
-    return m.reflection != Color{} || m.refraction != Color{} || !m.textures.empty();
+    return m.reflection != Share{} || m.refraction != Share{} || !m.textures.empty();
   };
   return options.shadows == Shadows::transparent || options.min_contribution > 0 ||
          (options.profile.sky_beyond &&
