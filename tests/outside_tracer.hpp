@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small tracer of the lab that shares nothing with the engine, and thirty mistakes of which the
-// catalogue knows none: whoever names one of its own for them names a false one.
+// A small tracer of the lab that shares nothing with the engine, and forty mistakes of which the
+// catalogue knows none: whoever names one of its own for them names a false one. The last ten are
+// held out: nothing is ever tuned on them.
 #pragma once
 
 #include <algorithm>
@@ -45,8 +46,20 @@ enum class Slip {
   few_colors,
   normalised_by_brightest,
   normal_from_origin,
+  // Held out.
+  normal_not_unit,
+  shadow_of_all,
+  diffuse_linear,
+  tone_mapped,
+  farthest_hit,
+  reflection_colored,
+  light_at_eye,
+  light_from_afar,
+  eye_nearer,
+  one_ior,
   count
 };
+inline constexpr Slip kFirstHeldOut = Slip::normal_not_unit;
 
 constexpr std::string_view kNames[] = {"none",
                                        "no ambient",
@@ -78,7 +91,17 @@ constexpr std::string_view kNames[] = {"none",
                                        "channels turned",
                                        "8 steps of colour",
                                        "brightest is white",
-                                       "normal from the origin"};
+                                       "normal from the origin",
+                                       "N not normalised",
+                                       "shadow leaves a third of all",
+                                       "diffuse by the angle itself",
+                                       "c / (1 + c) for clamping",
+                                       "farthest hit",
+                                       "k1 times kd",
+                                       "light at the eye",
+                                       "L the same everywhere",
+                                       "eye at z = 1.6",
+                                       "one index for all glass"};
 static_assert(std::size(kNames) == static_cast<std::size_t>(Slip::count));
 
 struct Vector {
@@ -101,7 +124,7 @@ class Tracer {
   Image picture() const {
     const std::uint32_t width = scene_.resolution.width, height = scene_.resolution.height;
     Image image(width, height);
-    const Vector eye{0, 0, 2};
+    const Vector eye{0, 0, is(Slip::eye_nearer) ? 1.6 : 2};
     for (std::uint32_t y = 0; y < height; ++y)
       for (std::uint32_t x = 0; x < width; ++x) {
         const Vector at{2.0 * x / width - 1, 1 - 2.0 * y / height, 0};
@@ -131,15 +154,22 @@ class Tracer {
     return is(Slip::radius_larger) && r < 10 ? 1.15 * r : r;
   }
 
+  static constexpr double kNowhere = std::numeric_limits<double>::infinity();
   struct Hit {
     std::size_t sphere = 0;
-    double t = std::numeric_limits<double>::infinity();
+    double t = kNowhere;
   };
   Hit nearest(Vector from, Vector way, double epsilon = 1e-4) const {
     Hit hit;
     for (std::size_t i = is(Slip::first_missing) ? 1 : 0; i < scene_.spheres.size(); ++i)
       if (const double t = meet(i, from, way, epsilon); t < hit.t) hit = {i, t};
     return hit;
+  }
+  Hit farthest(Vector from, Vector way) const {
+    Hit hit{0, 0};
+    for (std::size_t i = 0; i < scene_.spheres.size(); ++i)
+      if (const double t = meet(i, from, way, 1e-4); t < kNowhere && t > hit.t) hit = {i, t};
+    return hit.t > 0 ? hit : Hit{};
   }
   double meet(std::size_t i, Vector from, Vector way, double epsilon) const {
     const Vector c = center(i) - from;
@@ -168,13 +198,20 @@ class Tracer {
     if (is(Slip::ambient_triple)) sum = 3 * sum;
     if (stage_ < 3) return sum;
     for (const auto& light : scene_.lights) {
-      const Vector way = Vector{light.position.x, light.position.y, light.position.z} - point;
+      const Vector at{light.position.x, light.position.y, light.position.z};
+      const Vector way = is(Slip::light_at_eye)      ? Vector{0, 0, 2} - point
+                         : is(Slip::light_from_afar) ? at
+                                                     : at - point;
       const double distance = way.length();
       const Vector l = way.unit();
       double facing = l.dot(n);
       if (facing < 0 && !is(Slip::diffuse_wrapped)) continue;
-      if (!lit(point, l, distance)) continue;
+      if (!lit(point, l, distance)) {
+        if (is(Slip::shadow_of_all)) return 1.0 / 3 * sum;
+        continue;
+      }
       double share = facing;
+      if (is(Slip::diffuse_linear)) share = 1 - std::acos(std::min(facing, 1.0)) / std::acos(0.0);
       if (is(Slip::diffuse_squared)) share *= share;
       if (is(Slip::diffuse_wrapped)) share = 0.5 * facing + 0.5;
       if (is(Slip::diffuse_by_distance)) share *= 4 / (distance * distance);
@@ -196,7 +233,7 @@ class Tracer {
 
   Vector trace(Vector from, Vector way, int depth) const {
     if (depth > 4) return {};
-    const Hit hit = nearest(from, way);
+    const Hit hit = is(Slip::farthest_hit) && depth == 0 ? farthest(from, way) : nearest(from, way);
     if (!(hit.t < std::numeric_limits<double>::infinity()))
       return is(Slip::background_grey) ? Vector{0.2, 0.2, 0.2} : of(scene_.background);
     if (stage_ == 1) return {1, 1, 1};
@@ -206,7 +243,7 @@ class Tracer {
     if (is(Slip::normal_from_origin)) n = point.unit();
     const bool inside = v.dot(n) < 0;
     if (inside) n = -1.0 * n;
-    Vector own = local(m, point, n, v);
+    Vector own = local(m, point, is(Slip::normal_not_unit) ? radius(hit.sphere) * n : n, v);
     double k1 = m.reflection.r, k2 = stage_ < 7 ? 0 : m.refraction.r;
     if (stage_ < 6) return clamped(own);
     if (is(Slip::local_shared)) own = (1 - k1 - k2) * own;
@@ -221,8 +258,10 @@ class Tracer {
         u = (Vector{p.x, p.y, p.z} - point).unit();
       }
       reflected = k1 * trace(point, (2 * u.dot(n) * n - u).unit(), depth + 1);
+      if (is(Slip::reflection_colored)) reflected = of(m.diffuse) * reflected;
     }
-    const double b = inside ? 1 / m.ior : m.ior, d = b * b * cosine * cosine - b * b + 1;
+    const double ior = is(Slip::one_ior) ? 1 / 1.5 : m.ior;
+    const double b = inside ? 1 / ior : ior, d = b * b * cosine * cosine - b * b + 1;
     if (k2 > 0 && d >= 0)
       refracted = k2 * trace(point, ((b * cosine - std::sqrt(d)) * n - b * v).unit(), depth + 1);
     Vector sum = own + reflected + refracted;
@@ -239,6 +278,7 @@ class Tracer {
       if (is(Slip::channels_turned)) std::tie(p[0], p[1], p[2]) = std::tuple(p[1], p[2], p[0]);
       for (int c = 0; c < 3; ++c) {
         if (is(Slip::few_colors)) p[c] = std::floor(8 * p[c]) / 8;
+        if (is(Slip::tone_mapped)) p[c] = p[c] / (1 + p[c]);
         if (is(Slip::normalised_by_brightest) && brightest > 0) p[c] /= brightest * 0.8F;
         p[c] = std::floor(std::min(p[c], 1.0F) * 255 + 0.5F) / 255;
       }
@@ -252,6 +292,12 @@ class Tracer {
 
 /// The first stage that the slip shows in.
 inline int stage_of(Slip slip) {
+  if (slip >= kFirstHeldOut)
+    return slip == Slip::shadow_of_all                              ? 5
+           : slip == Slip::reflection_colored                       ? 6
+           : slip == Slip::one_ior                                  ? 7
+           : slip == Slip::farthest_hit || slip >= Slip::eye_nearer ? 2
+                                                                    : 3;
   if (slip >= Slip::background_grey) return 7;
   if (slip >= Slip::local_shared) return 7;
   if (slip >= Slip::shadow_inverted) return 5;

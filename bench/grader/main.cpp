@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // How often the grader is right: pictures as they are handed in, right ones, those of every mistake
-// and of some that no catalogue knows, each altered once or twice. grader_bench SEED CASES [KIND].
+// and of some that no catalogue knows, each altered once or twice. grader_bench SEED CASES [KIND];
+// with -v it tells each picture that was not judged right, -o FOLDER keeps them, =NUMBER judges
+// one.
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <unistd.h>
@@ -11,6 +13,7 @@
 #include <fstream>
 #include <map>
 #include <mutex>
+#include <set>
 
 #include "alterations.hpp"
 #include "course_scenes.hpp"
@@ -35,10 +38,14 @@ struct Case {
   Image picture{};
   std::vector<Mistake> expected{};
   std::vector<Alteration> how{};
+  std::size_t number = 0;
 };
 
 struct Tally {
-  int cases = 0, right = 0, unknown = 0, missed = 0, wrong = 0, wrong_as_fact = 0;
+  int cases = 0, right = 0, unknown = 0;
+  int in_part = 0;  ///< one of two, and that it is not all
+  int missed = 0;   ///< taken for right
+  int wrong = 0, wrong_as_fact = 0;
 };
 
 struct Bench {
@@ -96,16 +103,18 @@ struct Bench {
               {entry.mistake}, some_alterations(i)};
     }
   }
-  Case outside(std::size_t i) {
+  Case outside(std::size_t i, bool held_out) {
+    const auto index = [](outside::Slip slip) { return static_cast<unsigned>(slip); };
+    const unsigned first = held_out ? index(outside::kFirstHeldOut) : 1,
+                   last = index(held_out ? outside::Slip::count : outside::kFirstHeldOut);
     for (;;) {
-      const auto slip = static_cast<outside::Slip>(
-          1 + random() % (static_cast<unsigned>(outside::Slip::count) - 1));
+      const auto slip = static_cast<outside::Slip>(first + random() % (last - first));
       const std::size_t scene = random() % 3;
       const int stage = random() % 2 == 0 ? 7 : outside::stage_of(slip);
       const Image picture = outside::Tracer(scenes[scene], stage, slip).picture();
       if (measure_errors(picture, graders[scene].picture(stage), 2.5 / 255).share() < 0.02)
         continue;
-      return {"outside",
+      return {held_out ? "outside, held out" : "outside",
               std::string(outside::kNames[static_cast<std::size_t>(slip)]),
               scene,
               stage,
@@ -149,6 +158,7 @@ struct Bench {
   std::map<std::string, std::map<std::string, Tally>> of_alteration;
   std::mutex mutex;
   bool tell = false;
+  std::filesystem::path kept{};  ///< where pictures are kept that were not judged right
 };
 
 Case Bench::two(std::size_t i) {
@@ -196,7 +206,6 @@ void Bench::judge(const Case& c, unsigned seed) {
   else
     static_cast<void>(write_png(a.image, file, {8, Transfer::linear}));
   const Grade grade = graders[c.scene].grade(file);
-  std::filesystem::remove_all(folder);
   const StageGrade& got = grade.stages.front();
   const std::string_view verdict = key_of(got.verdict);
   const auto names = [&](Mistake mistake) {
@@ -222,10 +231,22 @@ void Bench::judge(const Case& c, unsigned seed) {
   bool right = false, unknown = verdict == "unknown";
   if (c.kind.starts_with("right"))
     right = verdict == "right";
-  else if (c.kind == "outside" || c.kind == "nothing")
+  else if (c.kind.starts_with("outside") || c.kind == "nothing")
     right = unknown;
   else
     right = std::all_of(c.expected.begin(), c.expected.end(), told);
+  // One of two mistakes is true where the verdict says that more is left.
+  const bool in_part =
+      !right && verdict == "probably" && !c.expected.empty() &&
+      std::all_of(got.mistakes.begin(), got.mistakes.end(), [&](Mistake mistake) {
+        return std::find(c.expected.begin(), c.expected.end(), mistake) != c.expected.end();
+      });
+  if (!right && !kept.empty())
+    std::filesystem::copy_file(
+        file,
+        kept / fmt::format("{}-{}", c.number, std::filesystem::path(file).filename().string()),
+        std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::remove_all(folder);
   const std::lock_guard lock(mutex);
   std::string how;
   for (const Alteration one : c.how)
@@ -234,7 +255,9 @@ void Bench::judge(const Case& c, unsigned seed) {
     ++tally.cases;
     tally.right += right;
     tally.unknown += !right && unknown;
-    const bool missed = !right && verdict == "right", named = !right && !unknown && !missed;
+    tally.in_part += in_part;
+    const bool missed = !right && verdict == "right",
+               named = !right && !unknown && !missed && !in_part;
     tally.missed += missed;
     tally.wrong += named;
     tally.wrong_as_fact += named && verdict != "probably";
@@ -245,20 +268,23 @@ void Bench::judge(const Case& c, unsigned seed) {
                                                          : ", altered")]);
   for (const Alteration one : c.how)
     count(of_alteration[std::string(altered::kNames[static_cast<std::size_t>(one)])][c.kind]);
+  std::string named;
+  for (const Mistake mistake : got.mistakes)
+    named += fmt::format(" {}{}", got.both ? "& " : "", entry_of(mistake).key);
   if (tell && !right)
-    fmt::print("{:<12} scene {} stage {} {:<28} [{}] -> {}{} wrong {:.3f} left {:.3f} {}\n", c.kind,
-               c.scene, c.stage, c.name, how, verdict,
-               got.mistakes.empty() ? "" : fmt::format(" {}", entry_of(got.mistakes[0]).key),
-               got.share_wrong, got.share_left, alignment_text(Language::english, got.alignment));
+    fmt::print("{:<4} {:<12} scene {} stage {} {:<28} [{}] -> {}{} wrong {:.3f} left {:.3f} {}\n",
+               c.number, c.kind, c.scene, c.stage, c.name, how, verdict, named, got.share_wrong,
+               got.share_left, alignment_text(Language::english, got.alignment));
 }
 
 void Bench::print() const {
-  fmt::print("{:<34} {:>6} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "", "cases", "right", "unknown",
-             "missed", "false", "as fact");
+  fmt::print("{:<34} {:>6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "", "cases", "right", "unknown",
+             "in part", "missed", "false", "as fact");
   const auto line = [](const std::string& name, const Tally& t) {
     const auto share = [&](int n) { return fmt::format("{:.1f} %", 100.0 * n / t.cases); };
-    fmt::print("{:<34} {:>6} {:>8} {:>8} {:>8} {:>8} {:>8}\n", name, t.cases, share(t.right),
-               share(t.unknown), share(t.missed), share(t.wrong), share(t.wrong_as_fact));
+    fmt::print("{:<34} {:>6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", name, t.cases, share(t.right),
+               share(t.unknown), share(t.in_part), share(t.missed), share(t.wrong),
+               share(t.wrong_as_fact));
   };
   for (const auto& [kind, tally] : of_kind) line(kind, tally);
   for (const auto& [how, kinds] : of_alteration)
@@ -269,16 +295,23 @@ void Bench::print() const {
 
 int run(int count, char** values) {
   if (count < 3) {
-    fmt::print(stderr, "grader_bench SEED CASES [right own one outside two nothing] [-v]\n");
+    fmt::print(stderr,
+               "grader_bench SEED CASES [right own one outside held two nothing] [-v] [-o FOLDER] "
+               "[=NUMBER]\n");
     return 2;
   }
   const auto seed = static_cast<unsigned>(std::stoul(values[1]));
   const std::size_t cases = std::stoul(values[2]);
   Bench bench(seed);
   std::string kinds;
+  std::set<std::size_t> only;
   for (int i = 3; i < count; ++i) {
     if (std::string_view(values[i]) == "-v")
       bench.tell = true;
+    else if (std::string_view(values[i]) == "-o" && i + 1 < count)
+      bench.kept = values[++i];
+    else if (std::string_view(values[i]).starts_with("="))
+      only.insert(std::stoul(values[i] + 1));
     else
       kinds += fmt::format("{} ", values[i]);
   }
@@ -291,13 +324,16 @@ int run(int count, char** values) {
     if (wanted("right")) all.push_back(bench.right(i));
     if (wanted("own")) all.push_back(bench.own_right(i));
     if (wanted("one")) all.push_back(bench.one(i));
-    if (wanted("outside")) all.push_back(bench.outside(i));
+    if (wanted("outside")) all.push_back(bench.outside(i, false));
+    if (wanted("held")) all.push_back(bench.outside(i, true));
     if (wanted("two")) all.push_back(bench.two(i));
     if (wanted("nothing")) all.push_back(bench.nothing(i));
   }
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].number = i;
   const auto made = std::chrono::steady_clock::now();
   tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
-    bench.judge(all[i], seed * 100003 + static_cast<unsigned>(i));
+    if (only.empty() || only.contains(i))
+      bench.judge(all[i], seed * 100003 + static_cast<unsigned>(i));
   });
   bench.print();
   const std::chrono::duration<double> making = made - start,
