@@ -47,11 +47,13 @@ Image turned_by(const Image& submitted, const Turn& turn) {
   return turn.flipped ? flipped_vertically(turned) : turned;
 }
 
-Fitted fitted_at(const Position& position, Image painted, bool unpainted, std::uint32_t width,
-                 std::uint32_t height) {
+namespace {
+
+Fitted fitted_at(const Position& position, const std::shared_ptr<const Image>& turned,
+                 bool unpainted, std::uint32_t width, std::uint32_t height) {
   Fitted fitted;
   const Turn& turn = position.turn;
-  painted = turned_by(painted, turn);
+  const Image& painted = *turned;
   Alignment& alignment = fitted.alignment;
   alignment.unpainted = unpainted;
   fitted.turn = turn;
@@ -64,6 +66,7 @@ Fitted fitted_at(const Position& position, Image painted, bool unpainted, std::u
   fitted.exact =
       at.across == 1 && at.down == 1 && is_whole(at.left) && is_whole(at.top) && !unpainted;
   fitted.smallest = std::min(at.across, at.down);
+  fitted.softened = !fitted.exact && fitted.smallest <= 0.97;
   fitted.likeness = position.likeness;
   alignment.scaled = at.across != 1 || at.down != 1;
   alignment.across = at.across;
@@ -73,11 +76,26 @@ Fitted fitted_at(const Position& position, Image painted, bool unpainted, std::u
   alignment.cut = std::fabs(at.left) > 0.75 || std::fabs(at.top) > 0.75 ||
                   std::fabs(at.left + at.across * width - fitted.width) > 0.75 ||
                   std::fabs(at.top + at.down * height - fitted.height) > 0.75;
-  fitted.image = at == GridPlacement{} && painted.width == width && painted.height == height
-                     ? std::move(painted)
-                     : resampled(painted, at, width, height);
+  const bool is_all = at == GridPlacement{} && painted.width == width && painted.height == height;
+  fitted.image = is_all ? painted : resampled(painted, at, width, height);
+  if (!is_all) fitted.source = turned;
   fitted.region = visible_region(fitted, width, height);
   return fitted;
+}
+
+}  // namespace
+
+Fitted fitted_at(const Position& position, const Image& painted, bool unpainted,
+                 std::uint32_t width, std::uint32_t height) {
+  return fitted_at(position, std::make_shared<const Image>(turned_by(painted, position.turn)),
+                   unpainted, width, height);
+}
+
+Fitted placed_at(const Fitted& fitted, const GridPlacement& placement) {
+  Fitted moved = fitted_at({fitted.turn, placement, fitted.likeness}, fitted.source,
+                           fitted.alignment.unpainted, fitted.image.width, fitted.image.height);
+  moved.pictures = fitted.pictures;
+  return moved;
 }
 
 std::vector<Fitted> fit(const Image& submitted, const Template& searched, std::uint32_t width,
@@ -85,8 +103,15 @@ std::vector<Fitted> fit(const Image& submitted, const Template& searched, std::u
   Image painted = submitted;
   const bool unpainted = fill_unpainted(painted);
   std::vector<Fitted> all;
-  for (const Position& position : searched.find(painted))
-    all.push_back(fitted_at(position, painted, unpainted, width, height));
+  // They are turned alike, but for the whole.
+  std::shared_ptr<const Image> turned;
+  Turn last;
+  for (const Position& position : searched.find(painted)) {
+    if (turned == nullptr || position.turn != last)
+      turned = std::make_shared<const Image>(turned_by(painted, position.turn));
+    last = position.turn;
+    all.push_back(fitted_at(position, turned, unpainted, width, height));
+  }
   return all;
 }
 
@@ -107,7 +132,7 @@ Image aligned(const Image& image, const Alignment& way) {
 }
 
 Image through_scaling(const Image& image, const Fitted& fitted) {
-  if (fitted.exact || fitted.smallest > 0.97) return image;
+  if (!fitted.softened) return image;
   const Image there = resampled(image, inverse(fitted.placement), fitted.width, fitted.height);
   return resampled(there, fitted.placement, image.width, image.height);
 }
@@ -232,7 +257,7 @@ class Blocks {
  private:
   static constexpr std::uint32_t kBlock = 8;
   void finish() {
-    constexpr float kBias = 3.0F / 255, kOfRange = 0.15F, kMuch = 9.0F / 255, kMuchOfRange = 0.3F;
+    constexpr float kBias = 1.5F / 255, kOfRange = 0.1F, kMuch = 2.0F / 255, kMuchOfRange = 0.17F;
     constexpr float kPixels = kBlock * kBlock;
     for (auto& sum : sums_) {
       bool far = false;

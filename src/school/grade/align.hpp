@@ -2,6 +2,7 @@
 // A submission brought into line with the pictures it is compared with, and how near two are.
 #pragma once
 
+#include <memory>
 #include <vector>
 #include <zraka/school/grade.hpp>
 
@@ -22,13 +23,15 @@ struct Fitted {
   Image image;
   Region region;  ///< what of it was handed in
   Alignment alignment;
-  bool exact = true;    ///< pixel by pixel as it was handed in
-  bool sure = false;    ///< so much so that it lies nowhere else
-  double smallest = 1;  ///< its scale: below 1, details are lost
-  double likeness = 0;  ///< of outlines
+  bool exact = true;      ///< pixel by pixel as it was handed in
+  bool sure = false;      ///< so much so that it lies nowhere else
+  bool softened = false;  ///< by its scaling, and once more where that was undone
+  double smallest = 1;    ///< its scale: below 1, details are lost
+  double likeness = 0;    ///< of outlines
   Turn turn{};
   GridPlacement placement{};
-  std::uint32_t width = 0, height = 0;  ///< as it was handed in, turned
+  std::uint32_t width = 0, height = 0;    ///< as it was handed in, turned
+  std::shared_ptr<const Image> source{};  ///< which is that; nullptr where image is
   /// Of the size that it was drawn in; nullptr where that is the scene's own.
   const StagePictures* pictures = nullptr;
 };
@@ -40,8 +43,10 @@ std::vector<Fitted> fit(const Image& submitted, const Template& searched, std::u
 Image turned_by(const Image& submitted, const Turn& turn);
 
 /// What lies at a position in a submission, whose unpainted lines were filled or not.
-Fitted fitted_at(const Position& position, Image painted, bool unpainted, std::uint32_t width,
-                 std::uint32_t height);
+Fitted fitted_at(const Position& position, const Image& painted, bool unpainted,
+                 std::uint32_t width, std::uint32_t height);
+/// An inexact one that lies elsewhere.
+Fitted placed_at(const Fitted& fitted, const GridPlacement& placement);
 
 /// What may have become of a right picture's colours: red and blue exchanged or not, each with
 /// every curve. The first is as it was handed in.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "school/grade/refine.hpp"
+
 namespace zraka {
 namespace {
 
@@ -36,8 +38,9 @@ StageComparison::StageComparison(const StagePictures& pictures, int stage, const
       sized_(fitted.pictures != nullptr ? *fitted.pictures : pictures),
       stage_(stage),
       wanted_(sized_.right(stage)),
-      fitted_(fitted),
-      close_(closeness_of(fitted, jpeg, pictures.rubric())) {
+      fitted_(fitted) {
+  if (stage > 1) refine(fitted_, wanted_);
+  close_ = closeness_of(fitted_, jpeg, pictures.rubric());
   if (stage == 1) {
     fitted_.image = as_silhouette(fitted_.image);
     close_.biased = 1;  // at outlines it is white or black
@@ -51,6 +54,20 @@ void StageComparison::take_way(std::size_t way) {
   way_ = way;
   taken_ = aligned(fitted_.image, ways_[way]);
   smooth_ = smoothed(taken_, close_.blur);
+}
+
+void StageComparison::lie_on(const MistakenBy& by) {
+  if (fitted_.exact || stage_ == 1) return;
+  Fitted there = fitted_;
+  if (way_ != 0)
+    there.source = std::make_shared<const Image>(aligned(*fitted_.source, ways_[way_]));
+  there = placed_at(there, there.placement);
+  refine(there, sized_.picture(stage_, by));
+  if (there.placement == fitted_.placement) return;
+  fitted_ = placed_at(fitted_, there.placement);
+  fitted_.softened = there.softened;
+  trim_frame(fitted_, wanted_);
+  take_way(way_);
 }
 
 bool StageComparison::compare_with_right() {

@@ -39,6 +39,8 @@ class StageComparison {
   const std::vector<Alignment>& ways() const { return ways_; }
 
   void take_way(std::size_t way);
+  /// Looks anew where the right picture lies, by a mistake's, in the chosen way.
+  void lie_on(const MistakenBy& by);
   /// Is it the right picture, in the chosen way?
   bool compare_with_right();
   /// All pictures with few pixels, in all ways.

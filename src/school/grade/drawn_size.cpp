@@ -189,13 +189,13 @@ std::vector<Fitted> drawn_as_whole(const Image& submitted, bool jpeg, const Size
     const bool as_it_is = own && !turn.flipped_first && !turn.transposed && !turn.flipped;
     const Image turned = turned_by(submitted, turn);
     // What moves the outline by a pixel at most is found out later.
-    double share = on_their_sides(sizes.outline(width, height), turned, jpeg, 0, 0,
-                                  sizes.background());
+    double share =
+        on_their_sides(sizes.outline(width, height), turned, jpeg, 0, 0, sizes.background());
     const bool sure = share >= (jpeg ? kSureOfJpeg : kSure);
     for (const Mistake moved : {Mistake::pixel_center, Mistake::shifted, Mistake::y_down})
       if (share < (jpeg ? kOfJpeg : kOfAll) && !own)
-        share = std::max(share, on_their_sides(sizes.outline(width, height, moved), turned, jpeg,
-                                               0, 0, sizes.background()));
+        share = std::max(share, on_their_sides(sizes.outline(width, height, moved), turned, jpeg, 0,
+                                               0, sizes.background()));
     if (!as_it_is && share < (jpeg ? kOfJpeg : kOfAll)) continue;
     const StagePictures* pictures = sizes.of(width, height);
     if (pictures == nullptr) continue;

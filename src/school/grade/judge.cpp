@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "school/grade/verdict.hpp"
+#include "school/grade/view.hpp"
 
 namespace zraka {
 namespace {
@@ -76,6 +77,7 @@ const std::vector<Fitted>& Registered::fitted() const {
   }
   fitted_ = fit(handed_in(), pictures_.outlines(), right.width, right.height);
   add_drawn_sizes(handed_in(), jpeg(), sizes_, fitted_);
+  leave_out_other_views(fitted_, pictures_.right(1), pictures_.background());
   return fitted_;
 }
 
@@ -90,9 +92,12 @@ StageGrade judge(const StagePictures& pictures, int stage, const Registered& sub
     if (!unturned) unturned = std::move(grade);
   }
   if (unturned && unturned->share_left <= pictures.rubric().share) return *unturned;
-  const bool whole = std::none_of(submitted.fitted().begin(), submitted.fitted().end(),
-                                  [](const Fitted& fitted) { return fitted.alignment.cut; });
-  if (!whole)
+  const bool sure = std::any_of(submitted.plain().begin(), submitted.plain().end(),
+                                [](const Fitted& fitted) { return fitted.sure; });
+  const bool whole =
+      !sure && std::none_of(submitted.fitted().begin(), submitted.fitted().end(),
+                            [](const Fitted& fitted) { return fitted.alignment.cut; });
+  if (!whole && !sure)
     if (std::optional<StageGrade> grade = judge_as_whole(pictures, stage, submitted)) return *grade;
   const Fitted* best = nullptr;
   StageGrade of_best;

@@ -13,6 +13,7 @@ namespace zraka {
 /// top and bottom once more.
 struct Turn {
   bool flipped_first = false, transposed = false, flipped = false;
+  friend bool operator==(const Turn&, const Turn&) = default;
 };
 /// All that the sheet's wording allows; the first leaves it as it is.
 inline constexpr Turn kTurns[] = {{},

@@ -17,7 +17,7 @@ constexpr double kLeftOfWrong = 0.08, kLeftOfAll = 0.03;
 constexpr double kAsLikely = 1.3;
 /// It explains most where it leaves this much of the pixels, and of the squared differences, and
 /// every other one leaves this many times as much.
-constexpr double kMostOfPixels = 0.25, kMostOfSquares = 0.12, kNext = 2;
+constexpr double kMostOfPixels = 0.1, kMostOfSquares = 0.05, kNext = 2;
 /// A mistake may be one of two if it takes away this much of the squared differences.
 constexpr double kPartly = 0.1;
 /// What an alteration hides is there if it explains this share of what is left in squares, and is
@@ -40,9 +40,8 @@ bool Judge::explains(const Match& match) const {
   const Match& right = compared_.right();
   const double least = 0.4 * close.share, more = close.blur > 0 ? 1 : 0.5;
   return match.rest.share <= std::max(least, more * kLeftOfWrong * right.rest.share) &&
-         match.rest.share <= std::max(least, more * kLeftOfAll) &&
-         match.rest.biased <= close.biased && match.rest.energy <= 0.1 * right.rest.energy &&
-         match.distance < right.distance;
+         match.rest.share <= close.share && match.rest.biased <= close.biased &&
+         match.rest.energy <= 0.1 * right.rest.energy && match.distance < right.distance;
 }
 
 /// Those that explain the picture and that it cannot tell from the best one.
@@ -234,6 +233,21 @@ bool Judge::find_right(std::vector<Match>& by_few) {
   return compared_.compare_with_right();
 }
 
+/// A mistake that changes much, or another view, lies better on its own picture.
+void Judge::lie_on_nearest(const std::vector<Match>& by_few) {
+  const Match *best = nullptr, *right = nullptr;
+  for (const Match& match : by_few) {
+    if (match.way != compared_.way()) continue;
+    if (match.candidate == nullptr)
+      right = &match;
+    else if (best == nullptr || match.distance < best->distance)
+      best = &match;
+  }
+  if (best == nullptr || right == nullptr || best->distance > 0.7 * right->distance) return;
+  compared_.lie_on(best->candidate->by);
+  compared_.compare_with_right();
+}
+
 StageGrade Judge::verdict(const std::set<Mistake>* known) {
   StageGrade grade{.stage = stage_};
   std::vector<Match> matches;
@@ -254,6 +268,7 @@ StageGrade Judge::verdict(const std::set<Mistake>* known) {
   // What hardly differs shows no mistake for sure.
   settle(Verdict::unknown, compared_.right().rest, grade);
   if (compared_.right().rest.share < kHardly && close.blur > 0) return finish(grade);
+  lie_on_nearest(matches);
   compared_.look_closely(matches);
   const std::vector<Match> likely = as_likely(matches);
   if (!likely.empty() && compared_.shows(likely.front().candidate->by)) {

@@ -29,6 +29,7 @@ class Judge {
 
  private:
   bool find_right(std::vector<Match>& by_few);
+  void lie_on_nearest(const std::vector<Match>& by_few);
   bool explains(const Match& match) const;
   std::vector<Match> as_likely(const std::vector<Match>& matches) const;
   std::vector<Match> hidden_besides(const MistakenBy& by, const Image& picture, bool& sign) const;

@@ -95,7 +95,7 @@ std::string marks_text(Language language, double marks) {
 
 std::string_view key_of(Verdict verdict) {
   constexpr std::string_view kKeys[] = {"right",   "mistaken", "probably",
-                                        "unknown", "missing", "unreadable"};
+                                        "unknown", "missing",  "unreadable"};
   return kKeys[static_cast<std::size_t>(verdict)];
 }
 

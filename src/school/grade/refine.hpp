@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a picture lies in a submission, to hundredths of a pixel: by its colours, once its outlines
+// have told it to a fraction.
+#pragma once
+
+#include "school/grade/align.hpp"
+
+namespace zraka {
+
+/// Moves and scales an inexact fit until it lies on the right picture, where that brings it nearer.
+void refine(Fitted& fitted, const Image& wanted);
+
+}  // namespace zraka
