@@ -153,6 +153,23 @@ bool StageComparison::shows(const MistakenBy& by) const {
   return zraka::shows(taken_, picture_of(by), fitted_.region);
 }
 
+bool StageComparison::has_its_powers(const MistakenBy& by) const {
+  const auto is_power = [](Mistake mistake) {
+    return mistake == Mistake::exponent_halved || mistake == Mistake::exponent_fourfold;
+  };
+  if (!is_power(by.first) && !is_power(by.second)) return true;
+  // Where a parabola through three powers' distances is lowest, in steps.
+  constexpr double kStep = 1.5, kMostSteps = 0.4;
+  const auto distance = [&](const Image& picture) {
+    return mean_square(taken_, through_scaling(picture, fitted_), fitted_.region);
+  };
+  const double less = distance(sized_.with_power_times(1 / kStep, stage_, by)),
+               own = distance(sized_.picture(stage_, by)),
+               more = distance(sized_.with_power_times(kStep, stage_, by));
+  const double bend = less - 2 * own + more;
+  return own < less && own < more && std::fabs(less - more) < 2 * kMostSteps * bend;
+}
+
 bool StageComparison::is_near(const MistakenBy& by, double share) const {
   const Image picture = picture_of(by);
   return mean_square(taken_, picture, fitted_.region) <= share * spread(picture, fitted_.region);

@@ -54,6 +54,8 @@ class StageComparison {
   /// A picture with mistakes in the size of the submission's, as it comes out of its scaling.
   Image picture_of(const MistakenBy& by) const;
   bool shows(const MistakenBy& by) const;
+  /// Where the powers of highlights are what is wrong: are they those, rather than some others?
+  bool has_its_powers(const MistakenBy& by) const;
   /// Does it leave no more than a share of what a plain picture leaves, in squares?
   bool is_near(const MistakenBy& by, double share) const;
   /// The submission with few pixels, as those of candidates.

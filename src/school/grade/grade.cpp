@@ -108,7 +108,7 @@ std::vector<StageGrade> Grader::Impl::judge_all(
       continue;
     }
     StageGrade grade = judge_one(*picture, *image, known);
-    if (grade.verdict == Verdict::mistaken && (grade.both || grade.mistakes.size() == 1))
+    if (grade.verdict == Verdict::mistaken && grade.mistakes.size() == (grade.both ? 2 : 1))
       known.insert(grade.mistakes.begin(), grade.mistakes.end());
     StageGrade& there = judged_at(grade.stage);
     if (there.verdict == Verdict::missing || there.verdict == Verdict::unreadable ||

@@ -81,18 +81,13 @@ void mark(const Rubric& rubric, std::vector<StageGrade>& grades) {
     grade.of = rubric.marks[static_cast<std::size_t>(grade.stage - 1)];
     if (grade.verdict == Verdict::right) grade.marks = grade.of;
     if (grade.verdict != Verdict::mistaken && grade.verdict != Verdict::probable) continue;
-    // One of several that the picture cannot tell apart; of two at once, both.
-    const auto all_in = [&](const auto& in) {
-      const auto &first = grade.mistakes.begin(), &last = grade.mistakes.end();
-      return grade.both ? std::all_of(first, last, in) : std::any_of(first, last, in);
-    };
     const auto allowed = [&](Mistake mistake) { return rubric.allowed.contains(mistake); };
     const auto counted = [&](Mistake mistake) {
       return allowed(mistake) || (rubric.once && before.contains(mistake));
     };
-    grade.repeated = all_in([&](Mistake mistake) { return before.contains(mistake); });
+    grade.repeated = grade.made_only([&](Mistake mistake) { return before.contains(mistake); });
     // What is only probable leaves something that nobody has looked at.
-    const bool free = grade.verdict == Verdict::mistaken && all_in(counted);
+    const bool free = grade.verdict == Verdict::mistaken && grade.made_only(counted);
     grade.marks = free ? grade.of : grade.of * rubric.for_mistake;
     before.insert(grade.mistakes.begin(), grade.mistakes.end());
   }

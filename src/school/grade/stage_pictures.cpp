@@ -65,6 +65,17 @@ std::unique_ptr<StagePictures> StagePictures::in_size(const StagePictures& other
       new StagePictures(std::move(scene), other.options_, other.rubric_));
 }
 
+Image StagePictures::with_power_times(double factor, int stage, const MistakenBy& by) const {
+  Scene other = scene_;
+  for (Material& material : other.materials) material.shininess *= factor;
+  Image made;
+  tbb::this_task_arena::isolate([&] {
+    made = as_stored(render_mistaken(other, options_of(stage), by).value().image,
+                     options_.profile.transfer, 8);
+  });
+  return made;
+}
+
 std::array<float, 3> StagePictures::background() const {
   Image one(1, 1);
   const Color& color = scene_.background;

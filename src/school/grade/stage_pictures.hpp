@@ -34,6 +34,8 @@ class StagePictures {
   const Scene& scene() const { return scene_; }
   const Rubric& rubric() const { return rubric_; }
   RenderOptions options_of(int stage) const;
+  /// As picture(), where all highlights have `factor` times the power; nothing of it is kept.
+  Image with_power_times(double factor, int stage, const MistakenBy& by) const;
   const Image& right(int stage) const;
   /// As an 8 bit file has it.
   std::array<float, 3> background() const;

@@ -26,8 +26,10 @@ constexpr double kHiddenShare = 0.5, kWeakest = 0.75, kStrongest = 1.3;
 constexpr double kSignShare = 0.3, kSignStrength = 0.2;
 /// So few pixels show no mistake for sure.
 constexpr double kHardly = 0.005;
+/// What leaves more than this many times what the best one does is not named.
+constexpr double kFarFromBest = 4;
 constexpr std::size_t kHiddenOnes = 3;
-constexpr std::size_t kFirstOfTwo = 2, kPairsByFew = 12, kPairs = 4;
+constexpr std::size_t kFirstOfTwo = 3, kPairsByFew = 16, kPairs = 8;
 
 bool nearer(const Match& a, const Match& b) {
   return a.distance < b.distance;
@@ -100,9 +102,13 @@ void Judge::name_second(const Match& first, StageGrade& grade) const {
   const MistakenBy by = first.candidate->by;
   bool sign = false;
   const std::vector<Match> hidden = hidden_besides(by, compared_.picture_of(by), sign);
-  if (hidden.size() != 1) return;
+  if (hidden.empty()) {
+    if (sign) grade.verdict = Verdict::probable;
+    return;
+  }
   settle(Verdict::mistaken, hidden.front().rest, grade);
-  grade.mistakes = {by.first, hidden.front().candidate->by.second};
+  grade.mistakes = {by.first};
+  for (const Match& match : hidden) grade.mistakes.push_back(match.candidate->by.second);
   grade.both = true;
 }
 
@@ -174,18 +180,27 @@ bool Judge::name_two(const std::vector<Match>& singles, const std::set<Mistake>&
   const Match* best = nullptr;
   for (const Match& pair : pairs)
     if (explains(pair) && (best == nullptr || pair.distance < best->distance)) best = &pair;
-  if (best == nullptr || !compared_.shows(best->candidate->by)) return false;
-  // Both have to be in every pair that is as likely.
+  if (best == nullptr || !compared_.shows(best->candidate->by) ||
+      !compared_.has_its_powers(best->candidate->by))
+    return false;
+  // One of them has to be in every pair that is as likely; another one may be as good as the other.
   const MistakenBy two = best->candidate->by;
+  std::vector<Mistake> named = {two.first, two.second};
   const Image& picture = pictures[static_cast<std::size_t>(best - pairs.data())];
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (!explains(pairs[i]) || pairs[i].distance > kAsLikely * best->distance + kSame) continue;
     const MistakenBy& by = pairs[i].candidate->by;
-    const bool same = by == two || by == MistakenBy(two.second, two.first);
-    if (!same && mean_square(pictures[i], picture, compared_.region()) >= kSame) return false;
+    if (by == two || by == MistakenBy(two.second, two.first)) continue;
+    if (mean_square(pictures[i], picture, compared_.region()) >= kSame) return false;
+    const bool first = by.first == named[0] || by.second == named[0],
+               second = by.first == named[1] || by.second == named[1];
+    if (first == second || (second && named.size() > 2)) return false;
+    if (second) std::swap(named[0], named[1]);
+    const Mistake other = by.first == named[0] ? by.second : by.first;
+    if (std::find(named.begin(), named.end(), other) == named.end()) named.push_back(other);
   }
   settle(Verdict::mistaken, best->rest, grade);
-  grade.mistakes = {two.first, two.second};
+  grade.mistakes = std::move(named);
   grade.both = true;
   return true;
 }
@@ -270,6 +285,10 @@ StageGrade Judge::verdict(const std::set<Mistake>* known) {
   if (compared_.right().rest.share < kHardly && close.blur > 0) return finish(grade);
   lie_on_nearest(matches);
   compared_.look_closely(matches);
+  std::erase_if(matches, [&, best = matches.empty() ? 0 : matches.front().distance](
+                             const Match& match) {
+    return match.distance <= kFarFromBest * best && !compared_.has_its_powers(match.candidate->by);
+  });
   const std::vector<Match> likely = as_likely(matches);
   if (!likely.empty() && compared_.shows(likely.front().candidate->by)) {
     settle(Verdict::mistaken, likely.front().rest, grade);

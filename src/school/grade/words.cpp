@@ -47,9 +47,8 @@ std::string alignment_text(Language language, const Alignment& a) {
 namespace {
 
 bool costs_nothing(const Grader& grader, const StageGrade& stage) {
-  const auto allowed = [&](Mistake mistake) { return grader.rubric().allowed.contains(mistake); };
-  const auto &first = stage.mistakes.begin(), &last = stage.mistakes.end();
-  return stage.both ? std::all_of(first, last, allowed) : std::any_of(first, last, allowed);
+  return stage.made_only(
+      [&](Mistake mistake) { return grader.rubric().allowed.contains(mistake); });
 }
 
 Json json_of(Language language, const Grader& grader, const StageGrade& stage) {
@@ -128,9 +127,9 @@ std::vector<std::string> findings(Language language, const Grader& grader,
     case Verdict::mistaken:
       for (std::size_t i = 0; i < stage.mistakes.size(); ++i) {
         const std::string text(text_of(language, stage.mistakes[i]));
-        lines.push_back(i == 0       ? text
-                        : stage.both ? say(language, Word::grade_and, text)
-                                     : say(language, Word::grade_or, text));
+        lines.push_back(i == 0                 ? text
+                        : stage.both && i == 1 ? say(language, Word::grade_and, text)
+                                               : say(language, Word::grade_or, text));
       }
       if (costs_nothing(grader, stage))
         lines.emplace_back(text_of(language, Word::grade_allowed));

@@ -2,6 +2,7 @@
 // Marks for pictures of the lab's stages, and the cause of what is wrong in them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -34,14 +35,14 @@ struct Alignment {
   bool transposed = false;                                     ///< rows for columns
   bool swapped = false;                                        ///< red and blue
   enum class Curve { none, srgb, power } curve = Curve::none;  ///< taken back from the colours
-  bool unpainted = false;  ///< a grid of lines that the program left out on a scaled screen
-  bool scaled = false;     ///< it has another size
-  bool cut = false;        ///< a part of a window, or a part of the picture
+  bool unpainted = false;       ///< a grid of lines that the program left out on a scaled screen
+  bool scaled = false;          ///< it has another size
+  bool cut = false;             ///< a part of a window, or a part of the picture
   double across = 1, down = 1;  ///< its pixels for one of the right picture
   double left = 0, top = 0;     ///< where the picture begins in it
   /// Where it was compared in its own size, with the scene rendered anew; 0: the scene's.
   std::uint32_t drawn_width = 0, drawn_height = 0;
-  double visible = 1;           ///< the share of the picture that was handed in, and judged
+  double visible = 1;  ///< the share of the picture that was handed in, and judged
   bool plain() const {
     return !flipped && !transposed && !swapped && curve == Curve::none && !unpainted && !scaled &&
            !cut && drawn_width == 0;
@@ -63,15 +64,22 @@ struct StageGrade {
   Verdict verdict = Verdict::missing;
   double marks = 0, of = 0;
   Alignment alignment{};
-  /// Those that make the picture; several where it cannot tell them apart, or two at once.
+  /// Those that make the picture; several where it cannot tell them apart.
   std::vector<Mistake> mistakes{};
-  bool both = false;       ///< two at once
+  bool both = false;       ///< two at once: the first, and one of the others
   bool repeated = false;   ///< the mistake was there in an earlier stage
   double share_wrong = 0;  ///< pixels that differ from the right picture
   double share_left = 0;   ///< pixels that differ from what is named
   std::vector<PixelPair>
       pixels{};            ///< a: the submission, b: the right picture, where they differ first
   Diagnostics problems{};  ///< of an unreadable file
+  /// Is it so for all that were made?
+  template <class Is>
+  bool made_only(const Is& is) const {
+    const auto first = mistakes.begin(), last = mistakes.end();
+    if (first == last || !both) return std::any_of(first, last, is);
+    return is(*first) && std::any_of(first + 1, last, is);
+  }
   /// What is shown and explained as named.
   MistakenBy named() const {
     if (mistakes.empty()) return {};
@@ -104,8 +112,8 @@ class Grader {
   Grader(Grader&&) noexcept;
   ~Grader();
 
-  /// A picture, or a folder, a zip archive or a document (.docx) of pictures. A single picture is one of the
-  /// stage that it is nearest to. Never fails: what is wrong stands in the grade.
+  /// A picture, or a folder, a zip archive or a document (.docx) of pictures. A single picture is
+  /// one of the stage that it is nearest to. Never fails: what is wrong stands in the grade.
   /// `stage` is what all its pictures are of, 1 to 7; 0: what they show and how they are called.
   Grade grade(const std::string& path, Links links = Links::follow, int stage = 0) const;
 
