@@ -33,14 +33,15 @@ bool is_small_shift(Mistake mistake) {
 }  // namespace
 
 StageComparison::StageComparison(const StagePictures& pictures, int stage, const Fitted& fitted,
-                                 bool jpeg)
+                                 const Compression& compression)
     : pictures_(pictures),
       sized_(fitted.pictures != nullptr ? *fitted.pictures : pictures),
       stage_(stage),
       wanted_(sized_.right(stage)),
-      fitted_(fitted) {
+      fitted_(fitted),
+      tables_(compression.tables) {
   if (stage > 1) refine(fitted_, wanted_);
-  close_ = closeness_of(fitted_, jpeg, pictures.rubric());
+  close_ = closeness_of(fitted_, compression.jpeg, pictures.rubric());
   if (stage == 1) {
     fitted_.image = as_silhouette(fitted_.image);
     close_.biased = 1;  // at outlines it is white or black
@@ -52,6 +53,8 @@ StageComparison::StageComparison(const StagePictures& pictures, int stage, const
 
 void StageComparison::take_way(std::size_t way) {
   way_ = way;
+  // Of what was compressed with other colours the same colours lose something else.
+  as_handed_in_ = RoundTrip(fitted_, way == 0 && stage_ != 1 ? tables_ : nullptr);
   taken_ = aligned(fitted_.image, ways_[way]);
   smooth_ = smoothed(taken_, close_.blur);
 }
@@ -71,7 +74,7 @@ void StageComparison::lie_on(const MistakenBy& by) {
 }
 
 bool StageComparison::compare_with_right() {
-  const Image picture = through_scaling(wanted_, fitted_);
+  const Image picture = as_handed_in_(wanted_);
   right_ = {nullptr, way_, mean_square(taken_, picture, fitted_.region),
             rest_of(smooth_, picture, fitted_.region, close_)};
   return right_.rest.share <= close_.share && right_.rest.biased <= close_.biased &&
@@ -146,7 +149,7 @@ void StageComparison::look_closely(std::vector<Match>& matches) const {
 }
 
 Image StageComparison::picture_of(const MistakenBy& by) const {
-  return through_scaling(sized_.picture(stage_, by), fitted_);
+  return as_handed_in_(sized_.picture(stage_, by));
 }
 
 bool StageComparison::shows(const MistakenBy& by) const {
@@ -161,7 +164,7 @@ bool StageComparison::has_its_powers(const MistakenBy& by) const {
   // Where a parabola through three powers' distances is lowest, in steps.
   constexpr double kStep = 1.5, kMostSteps = 0.4;
   const auto distance = [&](const Image& picture) {
-    return mean_square(taken_, through_scaling(picture, fitted_), fitted_.region);
+    return mean_square(taken_, as_handed_in_(picture), fitted_.region);
   };
   const double less = distance(sized_.with_power_times(1 / kStep, stage_, by)),
                own = distance(sized_.picture(stage_, by)),

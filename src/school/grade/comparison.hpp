@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "school/grade/align.hpp"
+#include "school/grade/round_trip.hpp"
 #include "school/grade/stage_pictures.hpp"
 
 namespace zraka {
@@ -25,9 +26,16 @@ struct Likeness {
   double share = 0;     ///< of the squares that this multiple explains
 };
 
+/// How a submission was compressed.
+struct Compression {
+  bool jpeg = false;
+  const JpegTables* tables = nullptr;  ///< where they are known
+};
+
 class StageComparison {
  public:
-  StageComparison(const StagePictures& pictures, int stage, const Fitted& fitted, bool jpeg);
+  StageComparison(const StagePictures& pictures, int stage, const Fitted& fitted,
+                  const Compression& compression);
 
   const Region& region() const { return fitted_.region; }
   const Image& wanted() const { return wanted_; }
@@ -80,6 +88,8 @@ class StageComparison {
   Closeness close_;
   std::vector<Alignment> ways_;
   std::size_t way_ = 0;
+  const JpegTables* tables_;
+  RoundTrip as_handed_in_;
   Image taken_, smooth_;
   Match right_;
 };

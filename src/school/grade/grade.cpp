@@ -32,9 +32,9 @@ struct Grader::Impl {
     const Image& right = pictures->right(7);
     return {right.width, right.height, pictures->options_of(7).profile.transfer};
   }
-  Registered registered(const ReadImage& read) const { return {read, *pictures, sizes}; }
+  Registered registered(const DecodedPicture& read) const { return {read, *pictures, sizes}; }
   static StageGrade unreadable(int stage, const std::string& file, const Diagnostics& problems);
-  StageGrade judge_one(const SubmittedPicture& picture, const ReadImage& image,
+  StageGrade judge_one(const SubmittedPicture& picture, const DecodedPicture& image,
                        const std::set<Mistake>& known = {}) const;
   std::vector<StageGrade> judge_all(const std::vector<SubmittedPicture>& submitted) const;
 };
@@ -46,7 +46,7 @@ StageGrade Grader::Impl::unreadable(int stage, const std::string& file,
 
 /// A word in the name tells the stage. A number is only a hint: where the picture is right as
 /// another stage, or a mistake explains it as the one that it is nearest to, that is the one.
-StageGrade Grader::Impl::judge_one(const SubmittedPicture& picture, const ReadImage& image,
+StageGrade Grader::Impl::judge_one(const SubmittedPicture& picture, const DecodedPicture& image,
                                    const std::set<Mistake>& known) const {
   const Registered found = registered(image);
   const auto judged = [&](int stage) {
@@ -97,7 +97,7 @@ std::vector<StageGrade> Grader::Impl::judge_all(
     if (picture->stage != 0 && picture->stage_is_sure &&
         judged_at(picture->stage).verdict == Verdict::right)
       continue;
-    const Result<ReadImage> image = read_picture(*picture, kind());
+    const Result<DecodedPicture> image = read_picture(*picture, kind());
     if (!image) {
       const int stage = picture->stage;
       StageGrade told = unreadable(stage == 0 ? 7 : stage, picture->file, image.error());
@@ -169,7 +169,7 @@ Grade Grader::grade(const std::string& path, Links links, int of) const {
       return grade;
     }
     if (alone) {
-      const Result<ReadImage> image = read_picture(pictures->front(), impl_->kind());
+      const Result<DecodedPicture> image = read_picture(pictures->front(), impl_->kind());
       if (!image) {
         grade.problems = image.error();
         return grade;

@@ -42,7 +42,7 @@ std::optional<StageGrade> judge_as_whole(const StagePictures& pictures, int stag
           return mean_square(few, candidate.coarse, all) < near;
         }))
       continue;
-    StageGrade grade = Judge(pictures, stage, fitted, submitted.jpeg()).verdict(nullptr);
+    StageGrade grade = Judge(pictures, stage, fitted, submitted.compression()).verdict(nullptr);
     if (grade.verdict == Verdict::mistaken &&
         std::none_of(grade.mistakes.begin(), grade.mistakes.end(), is_turn))
       return grade;
@@ -86,7 +86,7 @@ StageGrade judge(const StagePictures& pictures, int stage, const Registered& sub
   // What turning undoes is no mistake, if that leaves nothing.
   std::optional<StageGrade> unturned;
   for (const Fitted& fitted : submitted.plain()) {
-    StageGrade grade = Judge(pictures, stage, fitted, submitted.jpeg()).verdict(&known);
+    StageGrade grade = Judge(pictures, stage, fitted, submitted.compression()).verdict(&known);
     if (!is_settled(grade)) continue;
     if (std::none_of(grade.mistakes.begin(), grade.mistakes.end(), is_turn)) return grade;
     if (!unturned) unturned = std::move(grade);
@@ -103,8 +103,8 @@ StageGrade judge(const StagePictures& pictures, int stage, const Registered& sub
   StageGrade of_best;
   for (const Fitted& fitted : submitted.fitted()) {
     // A second mistake is easily lost in what an inexact fit allows.
-    StageGrade grade =
-        Judge(pictures, stage, fitted, submitted.jpeg()).verdict(fitted.exact ? &known : nullptr);
+    StageGrade grade = Judge(pictures, stage, fitted, submitted.compression())
+                           .verdict(fitted.exact ? &known : nullptr);
     if (is_settled(grade)) return grade;
     // A picture that may lie anywhere is rather where its outlines say.
     if (best != nullptr && fitted.likeness <= std::max(best->likeness, kLike)) continue;
@@ -113,13 +113,14 @@ StageGrade judge(const StagePictures& pictures, int stage, const Registered& sub
   }
   if (whole)
     if (std::optional<StageGrade> grade = judge_as_whole(pictures, stage, submitted)) return *grade;
-  StageGrade grade = best->exact ? std::move(of_best)
-                                 : Judge(pictures, stage, *best, submitted.jpeg()).verdict(&known);
+  StageGrade grade = best->exact
+                         ? std::move(of_best)
+                         : Judge(pictures, stage, *best, submitted.compression()).verdict(&known);
   if (stage == 1 || grade.verdict != Verdict::unknown || best->likeness >= kSeen) return grade;
   // A mirrored picture in a window. One of another view may be the right one, scaled.
   for (const Fitted& fitted : fit(submitted.handed_in(), pictures.mirrored_outlines(),
                                   pictures.right(7).width, pictures.right(7).height)) {
-    StageGrade mirrored = Judge(pictures, stage, fitted, submitted.jpeg()).verdict(nullptr);
+    StageGrade mirrored = Judge(pictures, stage, fitted, submitted.compression()).verdict(nullptr);
     if (mirrored.verdict == Verdict::mistaken && mirrored.alignment.visible > 0.9 &&
         mirrored.mistakes.front() == Mistake::x_mirrored)
       return mirrored;
@@ -133,8 +134,8 @@ int right_stage(const StagePictures& pictures, const Registered& submitted, int 
     double least = std::numeric_limits<double>::infinity();
     for (const Fitted& fitted : all)
       if (stage != 1 || is_flat(fitted.image, fitted.region))
-        least =
-            std::min(least, Judge(pictures, stage, fitted, submitted.jpeg()).distance_if_right());
+        least = std::min(
+            least, Judge(pictures, stage, fitted, submitted.compression()).distance_if_right());
     return least;
   };
   const auto right_one = [&](const std::vector<Fitted>& all) {

@@ -3,25 +3,28 @@
 #pragma once
 
 #include "school/grade/align.hpp"
+#include "school/grade/comparison.hpp"
 #include "school/grade/drawn_size.hpp"
 #include "school/grade/stage_pictures.hpp"
+#include "school/grade/submission.hpp"
 
 namespace zraka {
 
 /// A picture of a submission, and where the right one lies in it.
 class Registered {
  public:
-  Registered(const ReadImage& read, const StagePictures& pictures, const SizedPictures& sizes)
+  Registered(const DecodedPicture& read, const StagePictures& pictures, const SizedPictures& sizes)
       : read_(read), pictures_(pictures), sizes_(sizes) {}
   const Image& handed_in() const { return read_.image; }
-  bool jpeg() const { return read_.format == "JPEG"; }
+  bool jpeg() const { return read_.jpeg; }
+  Compression compression() const { return {jpeg(), read_.tables ? &*read_.tables : nullptr}; }
   /// As a whole, pixel by pixel: where it shows what the scene does there. Fast to find.
   const std::vector<Fitted>& plain() const;
   /// Wherever outlines say that it may be, the plainest first.
   const std::vector<Fitted>& fitted() const;
 
  private:
-  const ReadImage& read_;
+  const DecodedPicture& read_;
   const StagePictures& pictures_;
   const SizedPictures& sizes_;
   mutable std::vector<Fitted> plain_, fitted_;

@@ -200,33 +200,34 @@ Result<std::vector<SubmittedPicture>> read_submission(const std::string& path, L
   return pictures;
 }
 
-Result<ReadImage> read_picture(const SubmittedPicture& picture, const PictureKind& kind) {
+Result<DecodedPicture> read_picture(const SubmittedPicture& picture, const PictureKind& kind) {
   if (!picture.problems.empty()) return tl::make_unexpected(picture.problems);
-  const auto read = [&](std::uint64_t most_pixels) -> Result<ReadImage> {
-    if (picture.path.empty()) return parse_image(picture.bytes, picture.file, most_pixels);
-    const Result<std::string> bytes = read_file(picture.path, kMostBytes);
-    if (!bytes) return tl::make_unexpected(bytes.error());
-    return parse_image(*bytes, picture.path, most_pixels);
-  };
-  const auto fitting = [&](ReadImage& image) {
-    Image& pixels = image.image;
-    if (image.floats) pixels = as_stored(pixels, kind.transfer, 8);
-    image.floats = false;
+  const auto decoded = [&](std::string_view bytes, const std::string& name,
+                           std::uint64_t most_pixels) -> Result<DecodedPicture> {
+    Result<ReadImage> read = parse_image(bytes, name, most_pixels);
+    if (!read) return tl::make_unexpected(read.error());
+    DecodedPicture made{std::move(read->image), read->format == "JPEG"};
+    if (made.jpeg) made.tables = jpeg_tables(bytes);
+    Image& pixels = made.image;
+    if (read->floats) pixels = as_stored(pixels, kind.transfer, 8);
     const std::uint32_t width = std::min(pixels.width, kMostScale * kind.width + kFrame),
                         height = std::min(pixels.height, kMostScale * kind.height + kFrame);
-    if (width < pixels.width || height < pixels.height)
+    if (width < pixels.width || height < pixels.height) {
       pixels = scaled_by_area(pixels, width, height);
+      made.tables.reset();
+    }
+    return made;
   };
-  Result<ReadImage> image = read(kLargePicture);
-  if (image) {
-    fitting(*image);
-    return image;
-  }
+  const auto read = [&](std::uint64_t most_pixels) -> Result<DecodedPicture> {
+    if (picture.path.empty()) return decoded(picture.bytes, picture.file, most_pixels);
+    const Result<std::string> bytes = read_file(picture.path, kMostBytes);
+    if (!bytes) return tl::make_unexpected(bytes.error());
+    return decoded(*bytes, picture.path, most_pixels);
+  };
+  if (Result<DecodedPicture> picture_read = read(kLargePicture)) return picture_read;
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
-  image = read(kMostPixels);
-  if (image) fitting(*image);
-  return image;
+  return read(kMostPixels);
 }
 
 }  // namespace zraka

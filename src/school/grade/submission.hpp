@@ -2,11 +2,14 @@
 // What somebody handed in: pictures in a file, a folder or an archive.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 #include <zraka/diagnostic.hpp>
 #include <zraka/image.hpp>
 #include <zraka/school/grade.hpp>
+
+#include "image/jpeg_again.hpp"
 
 namespace zraka {
 
@@ -25,6 +28,13 @@ struct SubmittedPicture {
   bool document = false;       ///< it is a report's, whose program has chosen its name
 };
 
+/// One that was decoded.
+struct DecodedPicture {
+  Image image;
+  bool jpeg = false;
+  std::optional<JpegTables> tables{};  ///< of a JPEG that has its own size
+};
+
 /// What pictures are compared with.
 struct PictureKind {
   std::uint32_t width = 0, height = 0;
@@ -38,7 +48,7 @@ Result<std::vector<SubmittedPicture>> read_submission(const std::string& path, L
 
 /// A picture of a submission in stored values, at most four times as wide and as high as what it is
 /// compared with. Large ones are decoded one at a time, whatever the number of threads.
-Result<ReadImage> read_picture(const SubmittedPicture& picture, const PictureKind& kind);
+Result<DecodedPicture> read_picture(const SubmittedPicture& picture, const PictureKind& kind);
 
 /// Is the file called like a picture, or like an archive of pictures?
 bool is_handed_in(const std::string& file);

@@ -16,8 +16,9 @@ inline constexpr double kNear = 0.6;
 
 class Judge {
  public:
-  Judge(const StagePictures& pictures, int stage, const Fitted& fitted, bool jpeg)
-      : pictures_(pictures), stage_(stage), compared_(pictures, stage, fitted, jpeg) {}
+  Judge(const StagePictures& pictures, int stage, const Fitted& fitted,
+        const Compression& compression)
+      : pictures_(pictures), stage_(stage), compared_(pictures, stage, fitted, compression) {}
 
   /// Two mistakes at once are only looked for where that is wanted.
   StageGrade verdict(const std::set<Mistake>* known);

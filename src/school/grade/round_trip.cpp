@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "school/grade/round_trip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "image/alter.hpp"
+
+namespace zraka {
+namespace {
+
+/// A JPEG's blocks, where colours have half as many samples.
+constexpr std::uint32_t kBlock = 16;
+
+struct Rectangle {
+  std::uint32_t left, top, right, bottom;
+};
+
+Turn undone(const Turn& turn) {
+  return {turn.flipped, turn.transposed, turn.flipped_first};
+}
+
+/// A box of a picture of `width` × `height`, in the picture turned.
+Rectangle turned_by(Rectangle box, const Turn& turn, std::uint32_t width, std::uint32_t height) {
+  const auto flip = [&] { box = {box.left, height - box.bottom, box.right, height - box.top}; };
+  if (turn.flipped_first) flip();
+  if (turn.transposed) {
+    box = {box.top, box.left, box.bottom, box.right};
+    std::swap(width, height);
+  }
+  if (turn.flipped) flip();
+  return box;
+}
+
+}  // namespace
+
+RoundTrip::RoundTrip(const Fitted& fitted, const JpegTables* tables) : tables_(tables) {
+  part_.turn = fitted.turn;
+  part_.exact = fitted.exact;
+  part_.softened = fitted.softened;
+  part_.placement = fitted.placement;
+  part_.width = fitted.width;
+  part_.height = fitted.height;
+  const bool unlike = fitted.alignment.unpainted || (!fitted.exact && !fitted.softened);
+  if (tables_ == nullptr || unlike) {
+    tables_ = nullptr;
+    return;
+  }
+  if (fitted.source == nullptr) return;
+  const GridPlacement& at = fitted.placement;
+  const auto inside = [](double value, std::uint32_t most) {
+    return static_cast<std::uint32_t>(std::clamp(value, 0.0, static_cast<double>(most)));
+  };
+  const Rectangle turned{inside(std::floor(at.left), fitted.width),
+                         inside(std::floor(at.top), fitted.height),
+                         inside(std::ceil(at.left + at.across * fitted.image.width), fitted.width),
+                         inside(std::ceil(at.top + at.down * fitted.image.height), fitted.height)};
+  // Blocks begin where the file does.
+  const std::uint32_t width = fitted.turn.transposed ? fitted.height : fitted.width,
+                      height = fitted.turn.transposed ? fitted.width : fitted.height;
+  Rectangle box = turned_by(turned, undone(fitted.turn), fitted.width, fitted.height);
+  box = {box.left / kBlock * kBlock, box.top / kBlock * kBlock,
+         std::min(width, (box.right + kBlock - 1) / kBlock * kBlock),
+         std::min(height, (box.bottom + kBlock - 1) / kBlock * kBlock)};
+  if (box.left >= box.right || box.top >= box.bottom) {
+    tables_ = nullptr;
+    return;
+  }
+  const Rectangle part = turned_by(box, fitted.turn, width, height);
+  part_.width = part.right - part.left;
+  part_.height = part.bottom - part.top;
+  part_.placement.left -= part.left;
+  part_.placement.top -= part.top;
+  part_.image = cropped(*fitted.source, part.left, part.top, part_.width, part_.height);
+}
+
+Image RoundTrip::operator()(const Image& image) const {
+  if (tables_ == nullptr) return through_scaling(image, part_);
+  const auto compressed = [&](const Image& there) {
+    const Image handed_in = zraka::turned_by(there, undone(part_.turn));
+    return zraka::turned_by(compressed_again(handed_in, *tables_), part_.turn);
+  };
+  if (part_.image.pixels.empty()) return compressed(image);
+  const GridPlacement& at = part_.placement;
+  Image there = part_.image;
+  const Image drawn = resampled(image, inverse(at), there.width, there.height);
+  const auto clamped = [](double value, std::uint32_t most) {
+    return static_cast<std::uint32_t>(
+        std::clamp(std::round(value), 0.0, static_cast<double>(most)));
+  };
+  const std::uint32_t left = clamped(at.left, there.width),
+                      right = clamped(at.left + at.across * image.width, there.width),
+                      bottom = clamped(at.top + at.down * image.height, there.height);
+  for (std::uint32_t y = clamped(at.top, there.height); y < bottom; ++y)
+    std::copy(drawn.row(y) + std::size_t{3} * left, drawn.row(y) + std::size_t{3} * right,
+              there.row(y) + std::size_t{3} * left);
+  return resampled(compressed(there), at, image.width, image.height);
+}
+
+}  // namespace zraka
