@@ -283,6 +283,26 @@ class Blocks {
   bool much_ = false;
 };
 
+/// Counts blocks of 3×3 pixels that all differ.
+class Solid {
+ public:
+  explicit Solid(const Region& region) : left_(region.left), rows_(region.right - region.left) {}
+  /// Row by row, from left to right.
+  void add(std::uint32_t x, bool differs) {
+    run_ = x == left_ ? 0 : run_;
+    run_ = differs ? run_ + 1 : 0;
+    int& rows = rows_[x - left_];
+    rows = run_ >= 3 ? rows + 1 : 0;
+    count_ += rows >= 3;
+  }
+  int count() const { return count_; }
+
+ private:
+  std::uint32_t left_;
+  int run_ = 0, count_ = 0;
+  std::vector<int> rows_;
+};
+
 /// Least and most of a picture's values up to a pixel from each of a row.
 class Surroundings {
  public:
@@ -325,6 +345,7 @@ Rest rest_of(const Image& picture, const Image& other, const Region& region,
   Surroundings around(soft);
   Blocks blocks(region, close.grey);
   double beyond = 0, energy = 0;
+  Solid solid(region);
   for (std::uint32_t y = region.top; y < region.bottom; ++y) {
     const float *p = picture.row(y), *l = soft.row(y), *h = l;
     if (close.reach) {
@@ -342,11 +363,13 @@ Rest rest_of(const Image& picture, const Image& other, const Region& region,
         of_row += outside * outside;
       }
       beyond += far > 0;
+      solid.add(x, far > 0);
     }
     energy += static_cast<double>(of_row);
   }
   const double pixels = std::max(1.0, region.pixels());
-  return {beyond / pixels, energy / (3 * pixels), close.blur > 0 ? blocks.share() : 0};
+  return {beyond / pixels, energy / (3 * pixels), close.blur > 0 ? blocks.share() : 0,
+          solid.count()};
 }
 
 Image as_silhouette(const Image& image) {

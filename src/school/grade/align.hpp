@@ -88,6 +88,7 @@ struct Rest {
   double share = 0;   ///< pixels that differ by more than what is close
   double energy = 0;  ///< mean of the squares of what is beyond
   double biased = 0;  ///< blocks of 8×8 pixels whose means differ: alterations leave these
+  int solid = 0;      ///< blocks of 3×3 pixels that all differ: rounding makes dots and lines
 };
 /// `picture` has been smoothed.
 Rest rest_of(const Image& picture, const Image& other, const Region& region,

@@ -78,6 +78,7 @@ bool StageComparison::compare_with_right() {
   right_ = {nullptr, way_, mean_square(taken_, picture, fitted_.region),
             rest_of(smooth_, picture, fitted_.region, close_)};
   return right_.rest.share <= close_.share && right_.rest.biased <= close_.biased &&
+         (close_.blur == 0 || stage_ == 1 || right_.rest.solid == 0) &&
          zraka::shows(taken_, picture, fitted_.region);
 }
 
@@ -143,7 +144,7 @@ void StageComparison::look_closely(std::vector<Match>& matches) const {
     if (sorted.size() <= kLookedAt || sorted.back().distance <= kFar * sorted.front().distance)
       sorted.back() = look_at(*matches[i].candidate, pictures[i]);
     else
-      sorted.back().rest = {1, 1, 1};
+      sorted.back().rest = {1, 1, 1, 1};
   }
   matches = std::move(sorted);
 }

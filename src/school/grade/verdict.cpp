@@ -28,7 +28,7 @@ constexpr double kSignShare = 0.3, kSignStrength = 0.2;
 constexpr double kHardly = 0.005;
 /// What leaves more than this many times what the best one does is not named.
 constexpr double kFarFromBest = 4;
-constexpr std::size_t kHiddenOnes = 3;
+constexpr std::size_t kHiddenOnes = 10;
 constexpr std::size_t kFirstOfTwo = 3, kPairsByFew = 16, kPairs = 8;
 
 bool nearer(const Match& a, const Match& b) {
@@ -43,7 +43,8 @@ bool Judge::explains(const Match& match) const {
   const double least = 0.4 * close.share, more = close.blur > 0 ? 1 : 0.5;
   return match.rest.share <= std::max(least, more * kLeftOfWrong * right.rest.share) &&
          match.rest.share <= close.share && match.rest.biased <= close.biased &&
-         match.rest.energy <= 0.1 * right.rest.energy && match.distance < right.distance;
+         match.rest.solid == 0 && match.rest.energy <= 0.1 * right.rest.energy &&
+         match.distance < right.distance;
 }
 
 /// Those that explain the picture and that it cannot tell from the best one.
