@@ -257,7 +257,7 @@ class Blocks {
  private:
   static constexpr std::uint32_t kBlock = 8;
   void finish() {
-    constexpr float kBias = 1.5F / 255, kOfRange = 0.1F, kMuch = 2.0F / 255, kMuchOfRange = 0.17F;
+    constexpr float kBias = 1.5F / 255, kOfRange = 0.1F, kMuch = 2.0F / 255, kMuchOfRange = 0.185F;
     constexpr float kPixels = kBlock * kBlock;
     for (auto& sum : sums_) {
       bool far = false;

@@ -60,10 +60,11 @@ void trim_frame(Fitted& fitted, const Image& wanted) {
          foreign(whole.right - r.right, r.right - 1, r.right, r.top, r.bottom))
     --r.right;
   if (r.right - r.left < 8 || r.bottom - r.top < 8) return;
-  r.left += mixed;
-  r.top += mixed;
-  r.right -= mixed;
-  r.bottom -= mixed;
+  // A frame's colour is in the means of the pixels beside it, too.
+  r.left += mixed + (r.left > whole.left);
+  r.top += mixed + (r.top > whole.top);
+  r.right -= mixed + (r.right < whole.right);
+  r.bottom -= mixed + (r.bottom < whole.bottom);
 }
 
 }  // namespace zraka

@@ -11,13 +11,15 @@
 namespace zraka {
 namespace {
 
-constexpr int kSteps = 5;
+constexpr int kSteps = 12;
 /// Differences larger than this are mistakes rather than shifts.
 constexpr float kShift = 0.1F;
 /// An outline's search is never as far off as this, in pixels.
 constexpr double kFarthest = 2;
 /// What is as near as this to whole pixels lies there.
 constexpr double kWhole = 0.06;
+/// Scales as near to 1 as this are tried as 1, and are 1 if that is about as good.
+constexpr double kOwnSize = 0.02, kAsNear = 1.03;
 
 /// A shift and a growth from the middle, along x and y.
 using Motion = std::array<double, 4>;
@@ -59,7 +61,8 @@ double distance(const Image& a, const Image& b, const Region& r) {
 }
 
 /// How far `image` lies from `wanted`: image(x) is about wanted(x + motion(x)).
-std::optional<Motion> motion_between(const Image& image, const Image& wanted, const Region& r) {
+std::optional<Motion> motion_between(const Image& image, const Image& wanted, const Region& r,
+                                     bool scales) {
   std::array<std::array<double, 5>, 4> rows{};
   const std::uint32_t left = std::max(r.left, 1U), top = std::max(r.top, 1U),
                       right = std::min(r.right, wanted.width - 1),
@@ -85,12 +88,24 @@ std::optional<Motion> motion_between(const Image& image, const Image& wanted, co
   }
   for (std::size_t a = 1; a < 4; ++a)
     for (std::size_t b = 0; b < a; ++b) rows[a][b] = rows[b][a];
+  if (!scales)
+    for (const std::size_t i : {1U, 3U}) {
+      for (std::size_t k = 0; k < 4; ++k) rows[i][k] = rows[k][i] = i == k ? 1 : 0;
+      rows[i][4] = 0;
+    }
   return solved(rows);
 }
 
 }  // namespace
 
 namespace {
+
+/// Where it lies in its own size, if that is near.
+GridPlacement in_own_size(const GridPlacement& at, double w, double h) {
+  const auto near = [](double scale) { return std::fabs(scale - 1) < kOwnSize; };
+  if (!near(at.across) || !near(at.down)) return at;
+  return {at.left + w / 2 * (at.across - 1), at.top + h / 2 * (at.down - 1), 1, 1};
+}
 
 /// Where it lies by whole pixels in its own size, if it is so near to that.
 GridPlacement rounded(const GridPlacement& at, double w, double h) {
@@ -103,11 +118,13 @@ GridPlacement rounded(const GridPlacement& at, double w, double h) {
   return is_whole ? whole : at;
 }
 
-void move(Fitted& fitted, const Image& wanted) {
+/// `scales`: it may also be scaled by a little.
+void move(Fitted& fitted, const Image& wanted, bool scales) {
   const double w = wanted.width, h = wanted.height;
   double least = distance(fitted.image, wanted, fitted.region);
   for (int i = 0; i < kSteps; ++i) {
-    const std::optional<Motion> motion = motion_between(fitted.image, wanted, fitted.region);
+    const std::optional<Motion> motion =
+        motion_between(fitted.image, wanted, fitted.region, scales);
     if (!motion) return;
     const auto& [right, wider, down, taller] = *motion;
     const double farthest = std::max(std::fabs(right) + std::fabs(wider) * w / 2,
@@ -129,7 +146,16 @@ void move(Fitted& fitted, const Image& wanted) {
 
 void refine(Fitted& fitted, const Image& wanted) {
   if (fitted.exact) return;
-  move(fitted, wanted);
+  move(fitted, wanted, true);
+  if (const GridPlacement own = in_own_size(fitted.placement, wanted.width, wanted.height);
+      own != fitted.placement) {
+    // What a mistake changes may look like a growth.
+    Fitted moved = placed_at(fitted, own);
+    move(moved, wanted, false);
+    if (distance(moved.image, wanted, moved.region) <=
+        kAsNear * distance(fitted.image, wanted, fitted.region))
+      fitted = std::move(moved);
+  }
   double least = distance(fitted.image, through_scaling(wanted, fitted), fitted.region);
   if (!fitted.softened) {
     fitted.softened = true;

@@ -13,6 +13,9 @@ constexpr double kOtherSize = 0.03;
 constexpr double kApart = 0.07;
 /// Colours that are no farther apart are one.
 constexpr float kSameColor = 0.06F;
+constexpr float kShaded = 0.15F;  ///< of one surface
+/// A pixel inside the edge, in distances of those beside it.
+constexpr double kDeep = 6;
 constexpr int kLeastPixels = 12;
 constexpr double kMost = 0.6;
 
@@ -23,9 +26,9 @@ const float* pixel_at(const Image& image, double x, double y) {
   return image.row(static_cast<std::uint32_t>(v)) + std::size_t{3} * static_cast<std::uint32_t>(u);
 }
 
-bool is_near(const float* a, const float* b) {
+bool is_near(const float* a, const float* b, float far = kSameColor) {
   for (std::size_t c = 0; c < 3; ++c)
-    if (std::fabs(a[c] - b[c]) > kSameColor) return false;
+    if (std::fabs(a[c] - b[c]) > far) return false;
   return true;
 }
 
@@ -35,15 +38,17 @@ bool goes_on(const Fitted& fitted, const Image& silhouette) {
   const GridPlacement& at = fitted.placement;
   const double w = silhouette.width, h = silhouette.height;
   int all = 0, same = 0;
-  // A pixel inside, and one as far outside.
+  // A pixel inside, and one as far outside. What was cut has the frame's colour for both.
   const auto look = [&](double x, double y, double to_x, double to_y) {
     const auto u = static_cast<std::uint32_t>(x), v = static_cast<std::uint32_t>(y);
     if (silhouette.row(v)[std::size_t{3} * u] < 0.5F) return;
     const float *here = pixel_at(image, at.left + at.across * x, at.top + at.down * y),
-                *there = pixel_at(image, at.left + at.across * to_x, at.top + at.down * to_y);
-    if (here == nullptr || there == nullptr) return;
+                *there = pixel_at(image, at.left + at.across * to_x, at.top + at.down * to_y),
+                *deep = pixel_at(image, at.left + at.across * (x + kDeep * (x - to_x)),
+                                 at.top + at.down * (y + kDeep * (y - to_y)));
+    if (here == nullptr || there == nullptr || deep == nullptr) return;
     ++all;
-    same += is_near(here, there);
+    same += is_near(here, there) && is_near(here, deep, kShaded);
   };
   constexpr double kInside = 1.5;
   for (double x = 0.5; x < w; ++x) {
