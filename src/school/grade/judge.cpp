@@ -50,6 +50,27 @@ std::optional<StageGrade> judge_as_whole(const StagePictures& pictures, int stag
   return std::nullopt;
 }
 
+/// Mirrored and turned is only turned another way: as a whole, or nobody knows.
+StageGrade turned_without_mirror(const StagePictures& pictures, int stage,
+                                 const Registered& submitted, StageGrade grade) {
+  const bool mirrored = grade.verdict == Verdict::mistaken &&
+                        grade.mistakes.front() == Mistake::x_mirrored &&
+                        (grade.alignment.transposed || grade.alignment.flipped);
+  if (!mirrored) return grade;
+  const Image &image = submitted.handed_in(), &right = pictures.right(stage);
+  for (const Turn& turn : kTurns) {
+    const double width = turn.transposed ? image.height : image.width,
+                 height = turn.transposed ? image.width : image.height;
+    const Position whole{turn, {0, 0, width / right.width, height / right.height}, 0};
+    const Fitted fitted = fitted_at(whole, image, false, right.width, right.height);
+    StageGrade other = Judge(pictures, stage, fitted, submitted.compression()).verdict(nullptr);
+    if (other.verdict == Verdict::right) return other;
+  }
+  grade.verdict = Verdict::unknown;
+  grade.mistakes.clear();
+  return grade;
+}
+
 bool is_settled(const StageGrade& grade) {
   return grade.verdict == Verdict::right || grade.verdict == Verdict::mistaken;
 }
@@ -81,17 +102,27 @@ const std::vector<Fitted>& Registered::fitted() const {
   return fitted_;
 }
 
-StageGrade judge(const StagePictures& pictures, int stage, const Registered& submitted,
-                 const std::set<Mistake>& known) {
+namespace {
+
+StageGrade judge_where_it_lies(const StagePictures& pictures, int stage,
+                               const Registered& submitted, const std::set<Mistake>& known) {
   // What turning undoes is no mistake, if that leaves nothing.
   std::optional<StageGrade> unturned;
+  bool differs_turned = false;
   for (const Fitted& fitted : submitted.plain()) {
     StageGrade grade = Judge(pictures, stage, fitted, submitted.compression()).verdict(&known);
-    if (!is_settled(grade)) continue;
+    if (!is_settled(grade)) {
+      differs_turned = differs_turned || unturned;
+      continue;
+    }
     if (std::none_of(grade.mistakes.begin(), grade.mistakes.end(), is_turn)) return grade;
     if (!unturned) unturned = std::move(grade);
   }
-  if (unturned && unturned->share_left <= pictures.rubric().share) return *unturned;
+  if (unturned && unturned->share_left <= pictures.rubric().share) {
+    // Turned back, something was seen to be left.
+    if (differs_turned) unturned->verdict = Verdict::probable;
+    return *unturned;
+  }
   const bool sure = std::any_of(submitted.plain().begin(), submitted.plain().end(),
                                 [](const Fitted& fitted) { return fitted.sure; });
   const bool whole =
@@ -126,6 +157,14 @@ StageGrade judge(const StagePictures& pictures, int stage, const Registered& sub
       return mirrored;
   }
   return grade;
+}
+
+}  // namespace
+
+StageGrade judge(const StagePictures& pictures, int stage, const Registered& submitted,
+                 const std::set<Mistake>& known) {
+  return turned_without_mirror(pictures, stage, submitted,
+                               judge_where_it_lies(pictures, stage, submitted, known));
 }
 
 int right_stage(const StagePictures& pictures, const Registered& submitted, int named) {
