@@ -98,10 +98,10 @@ Fitted placed_at(const Fitted& fitted, const GridPlacement& placement) {
   return moved;
 }
 
-std::vector<Fitted> fit(const Image& submitted, const Template& searched, std::uint32_t width,
-                        std::uint32_t height) {
+std::vector<Fitted> fit(const Image& submitted, bool jpeg, const Template& searched,
+                        std::uint32_t width, std::uint32_t height) {
   Image painted = submitted;
-  const bool unpainted = fill_unpainted(painted);
+  const bool unpainted = fill_unpainted(painted, jpeg);
   std::vector<Fitted> all;
   // They are turned alike, but for the whole.
   std::shared_ptr<const Image> turned;

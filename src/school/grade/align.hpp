@@ -37,8 +37,8 @@ struct Fitted {
 };
 
 /// Finds a right picture of width × height in a submission: where it may be, the plainest first.
-std::vector<Fitted> fit(const Image& submitted, const Template& searched, std::uint32_t width,
-                        std::uint32_t height);
+std::vector<Fitted> fit(const Image& submitted, bool jpeg, const Template& searched,
+                        std::uint32_t width, std::uint32_t height);
 
 Image turned_by(const Image& submitted, const Turn& turn);
 

@@ -164,7 +164,7 @@ std::optional<Image> unrepeated(const Image& image, std::uint32_t width, std::ui
 std::vector<Fitted> drawn_as_whole(const Image& submitted, bool jpeg, const SizedPictures& sizes) {
   std::vector<Fitted> all;
   Image painted = submitted;
-  const bool unpainted = fill_unpainted(painted);
+  const bool unpainted = fill_unpainted(painted, jpeg);
   const auto add_unrepeated = [&](const Turn& turn, std::uint32_t width, std::uint32_t height) {
     const auto [own_width, own_height] = sizes.own_size();
     const double across = static_cast<double>(width) / own_width,

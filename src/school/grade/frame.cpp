@@ -48,6 +48,19 @@ void trim_frame(Fitted& fitted, const Image& wanted) {
   r.bottom = std::min(r.bottom + mixed, wanted.height);
   const Region whole = r;
   const std::uint32_t across = (r.right - r.left) / 7, down = (r.bottom - r.top) / 7;
+  // What was cut off may have a window's frame in its place, and a screen behind that.
+  if (fitted.alignment.cut) {
+    const auto is_frame = [&](std::uint32_t x0, std::uint32_t x1, std::uint32_t y0,
+                              std::uint32_t y1) { return foreign(most_clear, x0, x1, y0, y1); };
+    for (std::uint32_t i = down; i > 0 && r.top == whole.top; --i)
+      if (is_frame(r.left, r.right, r.top + i - 1, r.top + i)) r.top += i;
+    for (std::uint32_t i = down; i > 0 && r.bottom == whole.bottom; --i)
+      if (is_frame(r.left, r.right, r.bottom - i, r.bottom - i + 1)) r.bottom -= i;
+    for (std::uint32_t i = across; i > 0 && r.left == whole.left; --i)
+      if (is_frame(r.left + i - 1, r.left + i, r.top, r.bottom)) r.left += i;
+    for (std::uint32_t i = across; i > 0 && r.right == whole.right; --i)
+      if (is_frame(r.right - i, r.right - i + 1, r.top, r.bottom)) r.right -= i;
+  }
   while (r.top < whole.top + down && foreign(r.top - whole.top, r.left, r.right, r.top, r.top + 1))
     ++r.top;
   while (r.bottom > whole.bottom - down &&

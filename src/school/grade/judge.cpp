@@ -96,7 +96,7 @@ const std::vector<Fitted>& Registered::fitted() const {
     fitted_ = {fitted_at({{}, whole, 0}, handed_in(), false, right.width, right.height)};
     return fitted_;
   }
-  fitted_ = fit(handed_in(), pictures_.outlines(), right.width, right.height);
+  fitted_ = fit(handed_in(), jpeg(), pictures_.outlines(), right.width, right.height);
   add_drawn_sizes(handed_in(), jpeg(), sizes_, fitted_);
   leave_out_other_views(fitted_, pictures_.right(1), pictures_.background());
   return fitted_;
@@ -149,8 +149,9 @@ StageGrade judge_where_it_lies(const StagePictures& pictures, int stage,
                          : Judge(pictures, stage, *best, submitted.compression()).verdict(&known);
   if (stage == 1 || grade.verdict != Verdict::unknown || best->likeness >= kSeen) return grade;
   // A mirrored picture in a window. One of another view may be the right one, scaled.
-  for (const Fitted& fitted : fit(submitted.handed_in(), pictures.mirrored_outlines(),
-                                  pictures.right(7).width, pictures.right(7).height)) {
+  for (const Fitted& fitted :
+       fit(submitted.handed_in(), submitted.jpeg(), pictures.mirrored_outlines(),
+           pictures.right(7).width, pictures.right(7).height)) {
     StageGrade mirrored = Judge(pictures, stage, fitted, submitted.compression()).verdict(nullptr);
     if (mirrored.verdict == Verdict::mistaken && mirrored.alignment.visible > 0.9 &&
         mirrored.mistakes.front() == Mistake::x_mirrored)

@@ -79,19 +79,19 @@ float farthest(const Pixel& a, const Pixel& b) {
 }
 
 /// Two colours are different ones from here on.
-constexpr float kApart = 0.03F;
+constexpr float kApart = 0.03F, kApartInJpeg = 0.12F;
 
 /// Columns whose pixels have one colour that neither neighbour has.
-bool fill_columns(Image& image, const std::vector<Pixel>& colors) {
+bool fill_columns(Image& image, const std::vector<Pixel>& colors, float apart) {
   bool any = false;
   for (const Pixel& color : colors) {
     std::vector<std::uint32_t> lines;
     for (std::uint32_t x = 1; x + 1 < image.width; ++x) {
       std::uint32_t gaps = 0, others = 0, first = image.height, last = 0;
       for (std::uint32_t y = 0; y < image.height; ++y) {
-        const bool own = farthest(pixel_of(image, x, y), color) <= kApart;
-        const bool gap = own && farthest(pixel_of(image, x - 1, y), color) > kApart &&
-                         farthest(pixel_of(image, x + 1, y), color) > kApart;
+        const bool own = farthest(pixel_of(image, x, y), color) <= apart;
+        const bool gap = own && farthest(pixel_of(image, x - 1, y), color) > apart &&
+                         farthest(pixel_of(image, x + 1, y), color) > apart;
         if (!gap) continue;
         ++gaps;
         first = std::min(first, y);
@@ -99,7 +99,7 @@ bool fill_columns(Image& image, const std::vector<Pixel>& colors) {
       }
       if (gaps < std::max(4U, image.height / 16)) continue;
       for (std::uint32_t y = first; y <= last; ++y)
-        others += farthest(pixel_of(image, x, y), color) > kApart;
+        others += farthest(pixel_of(image, x, y), color) > apart;
       if (10 * others <= last - first + 1) lines.push_back(x);
     }
     // A letter's stem or a border is no grid.
@@ -107,7 +107,7 @@ bool fill_columns(Image& image, const std::vector<Pixel>& colors) {
     any = true;
     for (const std::uint32_t x : lines)
       for (std::uint32_t y = 0; y < image.height; ++y) {
-        if (farthest(pixel_of(image, x, y), color) > kApart) continue;
+        if (farthest(pixel_of(image, x, y), color) > apart) continue;
         float* p = image.row(y) + std::size_t{3} * x;
         for (std::size_t c = 0; c < 3; ++c) p[c] = 0.5F * (p[c - 3] + p[c + 3]);
       }
@@ -157,14 +157,15 @@ Grid upside_down(const Grid& plane) {
   return out;
 }
 
-bool fill_unpainted(Image& image) {
+bool fill_unpainted(Image& image, bool jpeg) {
+  const float apart = jpeg ? kApartInJpeg : kApart;
   // Lines have a colour that pixels between two unlike them have most often.
   std::map<std::array<int, 3>, int> seen;
   for (std::uint32_t y = 0; y < image.height; y += 3)
     for (std::uint32_t x = 1; x + 1 < image.width; ++x) {
       const Pixel p = pixel_of(image, x, y);
-      if (farthest(p, pixel_of(image, x - 1, y)) <= kApart ||
-          farthest(p, pixel_of(image, x + 1, y)) <= kApart)
+      if (farthest(p, pixel_of(image, x - 1, y)) <= apart ||
+          farthest(p, pixel_of(image, x + 1, y)) <= apart)
         continue;
       std::array<int, 3> key{};
       for (std::size_t c = 0; c < 3; ++c) key[c] = static_cast<int>(std::lround(p[c] * 32));
@@ -180,9 +181,9 @@ bool fill_unpainted(Image& image) {
                         static_cast<float>(most[i].second[1]) / 32,
                         static_cast<float>(most[i].second[2]) / 32});
   if (colors.empty()) return false;
-  const bool columns = fill_columns(image, colors);
+  const bool columns = fill_columns(image, colors, apart);
   Image turned = transposed(image);
-  const bool rows = fill_columns(turned, colors);
+  const bool rows = fill_columns(turned, colors, apart);
   if (rows) image = transposed(turned);
   return columns || rows;
 }

@@ -44,6 +44,6 @@ Grid upside_down(const Grid& grid);
 /// Fills rows and columns that a program left unpainted, which draws pixel by pixel on a scaled
 /// screen: lines of one colour, a pixel wide, whose neighbours on both sides have others. Returns
 /// whether there were any.
-bool fill_unpainted(Image& image);
+bool fill_unpainted(Image& image, bool jpeg);
 
 }  // namespace zraka
