@@ -78,7 +78,7 @@ Fitted fitted_at(const Position& position, const std::shared_ptr<const Image>& t
                   std::fabs(at.top + at.down * height - fitted.height) > 0.75;
   const bool is_all = at == GridPlacement{} && painted.width == width && painted.height == height;
   fitted.image = is_all ? painted : resampled(painted, at, width, height);
-  if (!is_all) fitted.source = turned;
+  if (!is_all || !fitted.exact) fitted.source = turned;
   fitted.region = visible_region(fitted, width, height);
   return fitted;
 }

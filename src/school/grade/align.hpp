@@ -31,7 +31,7 @@ struct Fitted {
   Turn turn{};
   GridPlacement placement{};
   std::uint32_t width = 0, height = 0;    ///< as it was handed in, turned
-  std::shared_ptr<const Image> source{};  ///< which is that; nullptr where image is
+  std::shared_ptr<const Image> source{};  ///< which is that; nullptr: image, exactly
   /// Of the size that it was drawn in; nullptr where that is the scene's own.
   const StagePictures* pictures = nullptr;
 };

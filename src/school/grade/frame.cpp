@@ -47,7 +47,11 @@ void trim_frame(Fitted& fitted, const Image& wanted) {
   r.right = std::min(r.right + mixed, wanted.width);
   r.bottom = std::min(r.bottom + mixed, wanted.height);
   const Region whole = r;
-  const std::uint32_t across = (r.right - r.left) / 7, down = (r.bottom - r.top) / 7;
+  // A picture that was handed in as a whole has clear edges at most.
+  const auto limit = [&](std::uint32_t size) {
+    return fitted.alignment.cut ? size / 7 : std::max(most_clear, size / 40);
+  };
+  const std::uint32_t across = limit(r.right - r.left), down = limit(r.bottom - r.top);
   // What was cut off may have a window's frame in its place, and a screen behind that.
   if (fitted.alignment.cut) {
     const auto is_frame = [&](std::uint32_t x0, std::uint32_t x1, std::uint32_t y0,

@@ -28,7 +28,7 @@ constexpr double kSignShare = 0.3, kSignStrength = 0.2;
 constexpr double kHardly = 0.005;
 /// What leaves more than this many times what the best one does is not named.
 constexpr double kFarFromBest = 4;
-constexpr std::size_t kHiddenOnes = 10;
+constexpr std::size_t kHiddenOnes = 5;
 constexpr std::size_t kFirstOfTwo = 3, kPairsByFew = 16, kPairs = 8;
 
 bool nearer(const Match& a, const Match& b) {
