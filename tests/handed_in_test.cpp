@@ -8,8 +8,10 @@
 
 #include "alterations.hpp"
 #include "course_scenes.hpp"
+#include "image/jpeg_again.hpp"
 #include "outside_tracer.hpp"
 #include "picture_files.hpp"
+#include "school/grade/refine.hpp"
 #include "school/grade/words.hpp"
 
 namespace zraka {
@@ -170,6 +172,64 @@ TEST_F(HandedIn, NamesTwoMistakesAtOnce) {
             (std::set<Mistake>{Mistake::diffuse_sine, Mistake::ratio_inverted}));
   const std::vector<std::string> lines = findings(Language::english, grader, grade);
   EXPECT_TRUE(lines[1].starts_with("and at once: ")) << lines[1];
+}
+
+/// Ambient light for each of two lights is twice it, as it is without the light of one half.
+TEST_F(HandedIn, SaysOrWhereTwoPairsMakeThePicture) {
+  const Scene two_lights = second_scene();
+  const Grader of_two = Grader::create(two_lights, lab_options()).value();
+  const std::string file = (folder / "refraction.png").string();
+  EXPECT_TRUE(write_png(of_two.picture(7, {Mistake::ambient_unscaled, Mistake::ratio_inverted}),
+                        file, {8, Transfer::linear}));
+  const StageGrade grade = of_two.grade(file).stages.front();
+  EXPECT_TRUE(grade.both);
+  EXPECT_EQ(grade.mistakes.front(), Mistake::ratio_inverted);
+  EXPECT_EQ(std::set<Mistake>(grade.mistakes.begin() + 1, grade.mistakes.end()),
+            (std::set<Mistake>{Mistake::ambient_unscaled, Mistake::ambient_per_light}));
+  EXPECT_TRUE(findings(Language::english, of_two, grade)[2].starts_with("or: "));
+}
+
+TEST_F(HandedIn, HasNoPowerThatAnotherOneIsNearerThan) {
+  const Image picture = outside::Tracer(scene, 4, outside::Slip::exponent_fixed).picture();
+  EXPECT_EQ(judged(picture, {Alteration::scaled_125_smooth}, "specular").verdict, Verdict::unknown);
+  const StageGrade named =
+      judged(grader.picture(4, Mistake::exponent_fourfold), {Alteration::jpeg_85}, "specular");
+  EXPECT_EQ(named.mistakes, std::vector<Mistake>{Mistake::exponent_fourfold});
+}
+
+/// From another eye all is smaller, and the ground goes on below.
+TEST_F(HandedIn, IsNotRightWhereAnotherViewHasTheRightOneInIt) {
+  const Image picture = outside::Tracer(scene, 2, outside::Slip::eye_nearer).picture();
+  EXPECT_NE(judged(picture, {}, "ambient").verdict, Verdict::right);
+  EXPECT_NE(judged(picture, {Alteration::desktop}, "ambient").verdict, Verdict::right);
+}
+
+TEST_F(HandedIn, IsWholeHoweverBrightItsEdgesAre) {
+  const StageGrade grade =
+      judged(grader.picture(3, Mistake::diffuse_sine), {Alteration::jpeg_85}, "diffuse");
+  EXPECT_EQ(grade.mistakes, std::vector<Mistake>{Mistake::diffuse_sine});
+  EXPECT_EQ(grade.alignment.visible, 1);
+}
+
+TEST_F(HandedIn, IsFoundToATenthOfAPixel) {
+  const Image &right = grader.picture(7), moved = shifted(right, 1.3, 0.6);
+  Fitted fitted = fitted_at({{}, {1.6, 0.2, 1.004, 0.997}, 1}, moved, false, kSide, kSide);
+  refine(fitted, right);
+  EXPECT_NEAR(fitted.placement.left, 1.3, 0.1);
+  EXPECT_NEAR(fitted.placement.top, 0.6, 0.1);
+  EXPECT_EQ(fitted.placement.across, 1);
+}
+
+TEST_F(HandedIn, LosesInAJpegWhatOthersLoseInIt) {
+  const Image right = grader.picture(7);
+  const std::string file = jpeg_file(right, 60);
+  const std::optional<JpegTables> tables = jpeg_tables(file);
+  ASSERT_TRUE(tables);
+  const Image read = parse_image(file, "a.jpg").value().image;
+  EXPECT_EQ(measure_errors(compressed_again(right, *tables), read, 0.5 / 255).share(), 0);
+  EXPECT_GT(measure_errors(right, read, 2.5 / 255).share(), 0.1);
+  EXPECT_FALSE(jpeg_tables("no JPEG"));
+  EXPECT_FALSE(jpeg_tables(file.substr(0, 20)));
 }
 
 TEST_F(HandedIn, CostsMarksWhereMoreIsLeftThanWhatIsAllowed) {

@@ -126,7 +126,7 @@ TEST_F(Submissions, AreJudgedByTheFirstPictureThatCanBeRead) {
 TEST_F(Submissions, MayBeOfAnyShapeAndTakeNoMoreMemoryThanTheirScene) {
   const auto size = [&](const Image& image) {
     EXPECT_TRUE(write_png(image, path("a.png"), {8, Transfer::linear}));
-    const Result<ReadImage> read =
+    const Result<DecodedPicture> read =
         read_picture({.file = "a.png", .path = path("a.png")}, {.width = 40, .height = 30});
     return fmt::format("{}x{}", read->image.width, read->image.height);
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a picture lies in a submission, to hundredths of a pixel: by its colours, once its outlines
-// have told it to a fraction.
+// Where a picture lies in a submission, to less than a tenth of a pixel: by its colours, once its
+// outlines have told it to about one.
 #pragma once
 
 #include "school/grade/align.hpp"
