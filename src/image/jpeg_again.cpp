@@ -16,26 +16,26 @@
 namespace zraka {
 namespace {
 
-struct Errors {
+struct AgainErrors {
   jpeg_error_mgr manager;
   std::jmp_buf back;
 };
 
-[[noreturn]] void on_error(j_common_ptr jpeg) {
-  std::longjmp(reinterpret_cast<Errors*>(jpeg->err)->back, 1);  // NOLINT: libjpeg's way
+[[noreturn]] void leave_again(j_common_ptr jpeg) {
+  std::longjmp(reinterpret_cast<AgainErrors*>(jpeg->err)->back, 1);  // NOLINT: libjpeg's way
 }
-void say_nothing(j_common_ptr, int) {}
-void print_nothing(j_common_ptr) {}
+void say_nothing_again(j_common_ptr, int) {}
+void print_nothing_again(j_common_ptr) {}
 
-void prepare(Errors& errors) {
+void prepare_again(AgainErrors& errors) {
   jpeg_std_error(&errors.manager);
-  errors.manager.error_exit = on_error;
-  errors.manager.emit_message = say_nothing;
-  errors.manager.output_message = print_nothing;
+  errors.manager.error_exit = leave_again;
+  errors.manager.emit_message = say_nothing_again;
+  errors.manager.output_message = print_nothing_again;
 }
 
 /// What lies between setjmp and longjmp owns nothing with a destructor.
-bool read_header(jpeg_decompress_struct& jpeg, Errors& errors, std::string_view bytes) {
+bool read_header_again(jpeg_decompress_struct& jpeg, AgainErrors& errors, std::string_view bytes) {
   if (setjmp(errors.back) != 0) return false;  // NOLINT: libjpeg's way
   jpeg_create_decompress(&jpeg);
   jpeg_mem_src(&jpeg, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
@@ -47,8 +47,8 @@ struct Memory {
   unsigned long size = 0;
 };
 
-bool compress(jpeg_compress_struct& jpeg, Errors& errors, unsigned char* pixels, const Image& image,
-              const JpegTables& tables, Memory& memory) {
+bool compress_again(jpeg_compress_struct& jpeg, AgainErrors& errors, unsigned char* pixels,
+                    const Image& image, const JpegTables& tables, Memory& memory) {
   if (setjmp(errors.back) != 0) return false;  // NOLINT: libjpeg's way
   jpeg_create_compress(&jpeg);
   jpeg_mem_dest(&jpeg, &memory.bytes, &memory.size);
@@ -75,9 +75,9 @@ bool compress(jpeg_compress_struct& jpeg, Errors& errors, unsigned char* pixels,
   return true;
 }
 
-bool decompress(jpeg_decompress_struct& jpeg, Errors& errors, const Memory& memory,
+bool decompress(jpeg_decompress_struct& jpeg, AgainErrors& errors, const Memory& memory,
                 unsigned char* pixels) {
-  if (!read_header(jpeg, errors, {reinterpret_cast<const char*>(memory.bytes), memory.size}))
+  if (!read_header_again(jpeg, errors, {reinterpret_cast<const char*>(memory.bytes), memory.size}))
     return false;
   if (setjmp(errors.back) != 0) return false;  // NOLINT: libjpeg's way
   jpeg.out_color_space = JCS_RGB;
@@ -94,12 +94,12 @@ bool decompress(jpeg_decompress_struct& jpeg, Errors& errors, const Memory& memo
 }  // namespace
 
 std::optional<JpegTables> jpeg_tables(std::string_view bytes) {
-  Errors errors{};
+  AgainErrors errors{};
   jpeg_decompress_struct jpeg{};
   jpeg.err = &errors.manager;
-  prepare(errors);
+  prepare_again(errors);
   std::optional<JpegTables> tables;
-  if (read_header(jpeg, errors, bytes) && jpeg.num_components == 3 &&
+  if (read_header_again(jpeg, errors, bytes) && jpeg.num_components == 3 &&
       jpeg.jpeg_color_space == JCS_YCbCr) {
     tables.emplace();
     for (int c = 0; c < 3 && tables; ++c) {
@@ -122,12 +122,12 @@ Image compressed_again(const Image& image, const JpegTables& tables) {
   std::transform(image.pixels.begin(), image.pixels.end(), pixels.begin(), [](float value) {
     return static_cast<unsigned char>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
   });
-  Errors errors{};
-  prepare(errors);
+  AgainErrors errors{};
+  prepare_again(errors);
   Memory memory;
   jpeg_compress_struct coder{};
   coder.err = &errors.manager;
-  bool good = compress(coder, errors, pixels.data(), image, tables, memory);
+  bool good = compress_again(coder, errors, pixels.data(), image, tables, memory);
   jpeg_destroy_compress(&coder);
   jpeg_decompress_struct decoder{};
   decoder.err = &errors.manager;

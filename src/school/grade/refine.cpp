@@ -46,7 +46,7 @@ float weight_of(float difference) {
   return 1 / ((1 + far * far) * (1 + far * far));
 }
 
-double distance(const Image& a, const Image& b, const Region& r) {
+double robust_distance(const Image& a, const Image& b, const Region& r) {
   double sum = 0;
   for (std::uint32_t y = r.top; y < r.bottom; ++y) {
     const float *p = a.row(y), *q = b.row(y);
@@ -119,9 +119,9 @@ GridPlacement rounded(const GridPlacement& at, double w, double h) {
 }
 
 /// `scales`: it may also be scaled by a little.
-void move(Fitted& fitted, const Image& wanted, bool scales) {
+void move_onto(Fitted& fitted, const Image& wanted, bool scales) {
   const double w = wanted.width, h = wanted.height;
-  double least = distance(fitted.image, wanted, fitted.region);
+  double least = robust_distance(fitted.image, wanted, fitted.region);
   for (int i = 0; i < kSteps; ++i) {
     const std::optional<Motion> motion =
         motion_between(fitted.image, wanted, fitted.region, scales);
@@ -135,7 +135,7 @@ void move(Fitted& fitted, const Image& wanted, bool scales) {
                                at.top - at.down * (down - taller * h / 2), at.across * (1 - wider),
                                at.down * (1 - taller)};
     const Fitted moved = placed_at(fitted, better);
-    const double reached = distance(moved.image, wanted, moved.region);
+    const double reached = robust_distance(moved.image, wanted, moved.region);
     if (reached >= least) return;
     least = reached;
     fitted = moved;
@@ -146,27 +146,28 @@ void move(Fitted& fitted, const Image& wanted, bool scales) {
 
 void refine(Fitted& fitted, const Image& wanted) {
   if (fitted.exact) return;
-  move(fitted, wanted, true);
+  move_onto(fitted, wanted, true);
   if (const GridPlacement own = in_own_size(fitted.placement, wanted.width, wanted.height);
       own != fitted.placement) {
     // What a mistake changes may look like a growth.
     Fitted moved = placed_at(fitted, own);
-    move(moved, wanted, false);
-    if (distance(moved.image, wanted, moved.region) <=
-        kAsNear * distance(fitted.image, wanted, fitted.region))
+    move_onto(moved, wanted, false);
+    if (robust_distance(moved.image, wanted, moved.region) <=
+        kAsNear * robust_distance(fitted.image, wanted, fitted.region))
       fitted = std::move(moved);
   }
-  double least = distance(fitted.image, through_scaling(wanted, fitted), fitted.region);
+  double least = robust_distance(fitted.image, through_scaling(wanted, fitted), fitted.region);
   if (!fitted.softened) {
     fitted.softened = true;
-    const double soft = distance(fitted.image, through_scaling(wanted, fitted), fitted.region);
+    const double soft =
+        robust_distance(fitted.image, through_scaling(wanted, fitted), fitted.region);
     fitted.softened = soft < least;
     least = std::min(least, soft);
   }
   const GridPlacement whole = rounded(fitted.placement, wanted.width, wanted.height);
   if (fitted.alignment.unpainted || whole == fitted.placement) return;
   Fitted moved = placed_at(fitted, whole);
-  if (distance(moved.image, wanted, moved.region) <= least) fitted = std::move(moved);
+  if (robust_distance(moved.image, wanted, moved.region) <= least) fitted = std::move(moved);
 }
 
 }  // namespace zraka

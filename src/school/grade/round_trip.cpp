@@ -11,9 +11,9 @@ namespace zraka {
 namespace {
 
 /// A JPEG's blocks, where colours have half as many samples.
-constexpr std::uint32_t kBlock = 16;
+constexpr std::uint32_t kJpegBlock = 16;
 
-struct Rectangle {
+struct BlockBox {
   std::uint32_t left, top, right, bottom;
 };
 
@@ -22,7 +22,7 @@ Turn undone(const Turn& turn) {
 }
 
 /// A box of a picture of `width` × `height`, in the picture turned.
-Rectangle turned_by(Rectangle box, const Turn& turn, std::uint32_t width, std::uint32_t height) {
+BlockBox box_turned_by(BlockBox box, const Turn& turn, std::uint32_t width, std::uint32_t height) {
   const auto flip = [&] { box = {box.left, height - box.bottom, box.right, height - box.top}; };
   if (turn.flipped_first) flip();
   if (turn.transposed) {
@@ -52,22 +52,22 @@ RoundTrip::RoundTrip(const Fitted& fitted, const JpegTables* tables) : tables_(t
   const auto inside = [](double value, std::uint32_t most) {
     return static_cast<std::uint32_t>(std::clamp(value, 0.0, static_cast<double>(most)));
   };
-  const Rectangle turned{inside(std::floor(at.left), fitted.width),
-                         inside(std::floor(at.top), fitted.height),
-                         inside(std::ceil(at.left + at.across * fitted.image.width), fitted.width),
-                         inside(std::ceil(at.top + at.down * fitted.image.height), fitted.height)};
+  const BlockBox turned{inside(std::floor(at.left), fitted.width),
+                        inside(std::floor(at.top), fitted.height),
+                        inside(std::ceil(at.left + at.across * fitted.image.width), fitted.width),
+                        inside(std::ceil(at.top + at.down * fitted.image.height), fitted.height)};
   // Blocks begin where the file does.
   const std::uint32_t width = fitted.turn.transposed ? fitted.height : fitted.width,
                       height = fitted.turn.transposed ? fitted.width : fitted.height;
-  Rectangle box = turned_by(turned, undone(fitted.turn), fitted.width, fitted.height);
-  box = {box.left / kBlock * kBlock, box.top / kBlock * kBlock,
-         std::min(width, (box.right + kBlock - 1) / kBlock * kBlock),
-         std::min(height, (box.bottom + kBlock - 1) / kBlock * kBlock)};
+  BlockBox box = box_turned_by(turned, undone(fitted.turn), fitted.width, fitted.height);
+  box = {box.left / kJpegBlock * kJpegBlock, box.top / kJpegBlock * kJpegBlock,
+         std::min(width, (box.right + kJpegBlock - 1) / kJpegBlock * kJpegBlock),
+         std::min(height, (box.bottom + kJpegBlock - 1) / kJpegBlock * kJpegBlock)};
   if (box.left >= box.right || box.top >= box.bottom) {
     tables_ = nullptr;
     return;
   }
-  const Rectangle part = turned_by(box, fitted.turn, width, height);
+  const BlockBox part = box_turned_by(box, fitted.turn, width, height);
   part_.width = part.right - part.left;
   part_.height = part.bottom - part.top;
   part_.placement.left -= part.left;

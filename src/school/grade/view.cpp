@@ -10,14 +10,14 @@ namespace {
 /// Sizes that differ by more are different ones.
 constexpr double kOtherSize = 0.03;
 /// Axes may be scaled that far apart.
-constexpr double kApart = 0.07;
+constexpr double kShapesApart = 0.07;
 /// Colours that are no farther apart are one.
-constexpr float kSameColor = 0.06F;
+constexpr float kOneColor = 0.06F;
 constexpr float kShaded = 0.15F;  ///< of one surface
 /// A pixel inside the edge, in distances of those beside it.
 constexpr double kDeep = 6;
 constexpr int kLeastPixels = 12;
-constexpr double kMost = 0.6;
+constexpr double kGoesOn = 0.6;
 
 /// A pixel of a submission, if there is one.
 const float* pixel_at(const Image& image, double x, double y) {
@@ -26,7 +26,7 @@ const float* pixel_at(const Image& image, double x, double y) {
   return image.row(static_cast<std::uint32_t>(v)) + std::size_t{3} * static_cast<std::uint32_t>(u);
 }
 
-bool is_near(const float* a, const float* b, float far = kSameColor) {
+bool is_one_color(const float* a, const float* b, float far = kOneColor) {
   for (std::size_t c = 0; c < 3; ++c)
     if (std::fabs(a[c] - b[c]) > far) return false;
   return true;
@@ -48,7 +48,7 @@ bool goes_on(const Fitted& fitted, const Image& silhouette) {
                                  at.top + at.down * (y + kDeep * (y - to_y)));
     if (here == nullptr || there == nullptr || deep == nullptr) return;
     ++all;
-    same += is_near(here, there) && is_near(here, deep, kShaded);
+    same += is_one_color(here, there) && is_one_color(here, deep, kShaded);
   };
   constexpr double kInside = 1.5;
   for (double x = 0.5; x < w; ++x) {
@@ -59,7 +59,7 @@ bool goes_on(const Fitted& fitted, const Image& silhouette) {
     look(kInside, y, -kInside, y);
     look(w - kInside, y, w + kInside, y);
   }
-  return all >= kLeastPixels && same > kMost * all;
+  return all >= kLeastPixels && same > kGoesOn * all;
 }
 
 /// Has all around the right picture the background's colour?
@@ -71,7 +71,7 @@ bool lies_in_background(const Fitted& fitted, const float* background) {
   for (std::uint32_t y = 0; y < image.height; ++y)
     for (std::uint32_t x = 0; x < image.width; ++x) {
       const bool inside = x + 1 > at.left && x < right && y + 1 > at.top && y < bottom;
-      if (!inside && !is_near(image.row(y) + std::size_t{3} * x, background)) return false;
+      if (!inside && !is_one_color(image.row(y) + std::size_t{3} * x, background)) return false;
     }
   return true;
 }
@@ -87,7 +87,7 @@ bool is_of_another_view(const Fitted& fitted, const Image& silhouette, const flo
   // A program's own picture in the scene's size.
   if (image.width == silhouette.width && image.height == silhouette.height) return true;
   if (across > 1 && down > 1) return false;
-  const bool alike = std::fabs(image.width * h / (image.height * w) - 1) <= kApart;
+  const bool alike = std::fabs(image.width * h / (image.height * w) - 1) <= kShapesApart;
   return goes_on(fitted, silhouette) || (alike && lies_in_background(fitted, background));
 }
 
