@@ -11,8 +11,8 @@ namespace zraka {
 namespace {
 
 /// A mistake explains a picture where it leaves no more than this of the pixels that differ from
-/// the right one, and of all; of half as many where none was altered.
-constexpr double kLeftOfWrong = 0.08, kLeftOfAll = 0.03;
+/// the right one, of half as many where none was altered, and no more than a right one may.
+constexpr double kLeftOfWrong = 0.08;
 /// Other mistakes are as likely up to this ratio of what is left.
 constexpr double kAsLikely = 1.3;
 /// It explains most where it leaves this much of the pixels, and of the squared differences, and
