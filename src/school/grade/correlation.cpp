@@ -29,7 +29,7 @@ struct Sums {
 
 }  // namespace
 
-double Level::likeness(const GridPlacement& at) const {
+double SearchLevel::likeness(const GridPlacement& at) const {
   const Grid& grid = searched_.grid;
   const double width = submission_.width, height = submission_.height;
   // What is visible is a rectangle.
@@ -92,7 +92,7 @@ double Level::likeness(const GridPlacement& at) const {
   return sums.likeness(static_cast<double>(grid.values.size()), searched_.table.energy());
 }
 
-double Level::refine(GridPlacement& at, double first, double last) const {
+double SearchLevel::refine(GridPlacement& at, double first, double last) const {
   double best = likeness(at);
   const double w = searched_.grid.width, h = searched_.grid.height;
   for (double step = first; step >= last; step /= 2) {

@@ -53,9 +53,9 @@ struct Searched {
 
 /// A template in one of its sizes, and the submission in its own; positions are of the template's
 /// pixels in the submission's.
-class Level {
+class SearchLevel {
  public:
-  Level(const Searched& searched, const Grid& submission)
+  SearchLevel(const Searched& searched, const Grid& submission)
       : searched_(searched), submission_(submission) {}
 
   /// At most 1; -1 where too little is visible.

@@ -104,7 +104,7 @@ Template Template::mirrored() const {
 
 /// By whole pixels, in the right picture's own size; all of its pixels are asked.
 GridPlacement Template::best_shift(const Grid& submission, const GridPlacement& found) const {
-  const Level level(sizes_->full, submission);
+  const SearchLevel level(sizes_->full, submission);
   // The middle tells best where it lies.
   const double left = std::round(found.left + outlines_.width / 2.0 * (found.across - 1)),
                top = std::round(found.top + outlines_.height / 2.0 * (found.down - 1));
@@ -142,7 +142,7 @@ std::vector<Position> Template::find(const Image& submission) const {
                  sy = static_cast<double>(height) / whole.height;
     const Grid small = resampled(whole, {0, 0, 1 / sx, 1 / sy}, width, height);
     GridPlacement at = rescaled(hypothesis.at, middle.width / w, middle.height / h, sx, sy);
-    hypothesis.likeness = Level(sizes_->middle, small).refine(at, first, last);
+    hypothesis.likeness = SearchLevel(sizes_->middle, small).refine(at, first, last);
     hypothesis.at = rescaled(at, w / middle.width, h / middle.height, 1 / sx, 1 / sy);
   };
 
@@ -207,7 +207,7 @@ std::vector<Position> Template::find(const Image& submission) const {
   const double sx = static_cast<double>(width) / turned.full.width,
                sy = static_cast<double>(height) / turned.full.height;
   const Grid small = resampled(turned.full, {0, 0, 1 / sx, 1 / sy}, width, height);
-  const Level level(sizes_->fine, small);
+  const SearchLevel level(sizes_->fine, small);
   GridPlacement at = rescaled(chosen.at, fine.width / w, fine.height / h, sx, sy);
   Position position{turned.turn, {}, level.refine(at, 1, 0.06)};
   position.placement = rescaled(at, w / fine.width, h / fine.height, 1 / sx, 1 / sy);
