@@ -97,8 +97,9 @@ TEST(Cuts, LeaveAlphaWhereNothingIsLeft) {
   const Rendering picture = rendered(scene, {.transparent = true});
   for (std::size_t i = 0; i < 900; ++i) {
     const auto [x, y] = place(scene, i);
-    if (std::fabs(std::hypot(x, y) - 1) > 1e-4)
+    if (std::fabs(std::hypot(x, y) - 1) > 1e-4) {
       EXPECT_EQ(picture.layers.alpha()[i], x < 0 && std::hypot(x, y) < 1 ? 1.0f : 0.0f);
+    }
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "language.hpp"
 #include "optics_scenes.hpp"
+#include "render/prepare.hpp"
 #include "school/report/comments.hpp"
 
 namespace zraka {
@@ -23,8 +24,7 @@ unsigned bits_by_explanation(const Explanation& e, const ShapeId& shape) {
     for (const ExplainedRay& ray : tree.rays) {
       if (!ray.hit) continue;
       bool mirrored = false, through = false;
-      for (const ExplainedRay* at = &ray;;
-           at = &tree.rays[static_cast<std::size_t>(at->parent)]) {
+      for (const ExplainedRay* at = &ray;; at = &tree.rays[static_cast<std::size_t>(at->parent)]) {
         mirrored = mirrored || at->kind == RayKind::reflected;
         through = through || at->kind == RayKind::refracted;
         if (at->parent < 0) break;
@@ -43,6 +43,8 @@ unsigned bits_by_explanation(const Explanation& e, const ShapeId& shape) {
 
 TEST(OpticsInfluence, IsWhatTheExplanationsSay) {
   for (OpticsCase& one : optics_cases()) {
+    if (!needs_general_engine(one.scene, one.options))
+      continue;  // influence_test.cpp has the lean one
     const ShapeId shape{0, 0};
     one.options.tile = 7;
     const Result<Influence> found = influence(one.scene, one.options, ShapeInScene(shape));
@@ -105,7 +107,8 @@ TEST(OpticsReport, CountsWhatTheExplanationsSay) {
     if (one.options.profile.average_corners || one.options.min_contribution > 0) continue;
     if (one.scene.fog.kind != Fog::Kind::none) continue;  // changes no counts
     const SceneFacts facts = facts_of(one);
-    EXPECT_TRUE(facts.general);
+    EXPECT_EQ(facts.general, needs_general_engine(one.scene, one.options));
+    if (!facts.general) continue;
     const bool transparent_surface =
         one.options.shadows == Shadows::transparent &&
         std::any_of(one.scene.lights.begin(), one.scene.lights.end(),
@@ -152,8 +155,8 @@ TEST(OpticsReport, SaysWhatItCounted) {
         << what << " in " << all(Language::english, stage);
   };
   const StageFacts& shadows = facts.stages[4];
-  says(Stage::diffuse, fmt::format("Points outside of the cone of light 1: {}.",
-                                   facts.stages[2].lights[0].dark));
+  says(Stage::diffuse,
+       fmt::format("Points outside of the cone of light 1: {}.", facts.stages[2].lights[0].dark));
   says(Stage::shadows,
        fmt::format("Transparent shadow: in {} cases light comes to a point through transparent "
                    "bodies.",
