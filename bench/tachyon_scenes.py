@@ -53,9 +53,10 @@ def measure(zraka, scene, folder, rounds, side):
             picture.unlink(missing_ok=True)
         whole, words = run(tachyon)
         found = re.search(r"Ray Tracing Time:\s*([\d.]+) seconds", words)
+        objects = re.search(r"contains (\d+)\s+(?:bounded\s+)?object", words)
         if not found or not theirs.is_file():
             raise Absent("Tachyon draws nothing")
-        shapes = int(re.search(r"contains (\d+) objects", words)[1])
+        shapes = int(objects[1]) if objects else 0
         times["tachyon"].append(float(found[1]))
         times["whole tachyon"].append(whole)
         whole, words = run(own)
@@ -79,7 +80,7 @@ def main():
             try:
                 shapes, ms, same = measure(zraka, scene, pathlib.Path(folder), rounds, side)
             except Absent as reason:
-                print(f"{scene.stem}: {reason}", file=sys.stderr)
+                print(f"{scene.stem}: {reason}", file=sys.stderr, flush=True)
                 continue
             ratio = ms["tachyon"] / ms["zraka"]
             print(f"| {scene.stem} | {shapes} | {ms['tachyon']:.1f} | {ms['zraka']:.1f} | {ratio:.1f} | "
