@@ -70,6 +70,8 @@ def measure(zraka, scene, folder, rounds, side):
 
 
 def main():
+    if not 3 <= len(sys.argv) <= 5:
+        sys.exit(__doc__)
     zraka, scenes = sys.argv[1], sorted(pathlib.Path(sys.argv[2]).glob("*.dat"))
     rounds = int(sys.argv[3]) if len(sys.argv) > 3 else 5
     side = int(sys.argv[4]) if len(sys.argv) > 4 else 512

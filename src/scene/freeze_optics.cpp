@@ -215,6 +215,8 @@ std::unique_ptr<StoredOptics> freeze_optics(const Scene& scene, const Profile& p
     out.absorbing = out.absorbing || m.absorption != Color{};
     out.dispersive = out.dispersive || m.dispersion.kind != Dispersion::Kind::none;
     out.shadowless = out.shadowless || !m.casts_shadow;
+    out.textured_passing = out.textured_passing || stored->materials.back().textured_k2 ||
+                           m.normals.kind != NormalUse::Kind::none;
   }
   for (const Light& light : scene.lights) stored->lights.push_back(freeze_light(light, frame));
   for (const Cut& cut : scene.cuts) {

@@ -84,6 +84,9 @@ struct FrozenOptics {
   bool absorbing;  ///< some material absorbs
   bool dispersive;
   bool shadowless;  ///< some material casts no shadow
+  /// Textures say of some material what it lets through, or bend its normals: shadow rays have to
+  /// ask them, too.
+  bool textured_passing;
   bool index_is_ratio;
   /// The most that a surface sends by itself, the sky's most, and the largest sum of the shares of
   /// a hit's children: what bounds any ray's radiance follows from them.

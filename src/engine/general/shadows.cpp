@@ -115,7 +115,12 @@ void walk_through(const Batch<R>& batch, std::vector<Walk>& walks) {
       level.ray_count = level.in_batch = static_cast<std::int32_t>(n);
       level.done = 0;
       batch.services.find_hits(batch.scene, level, scratch);
-      take_coefficients(batch.scene, level, scratch);
+      if (batch.optics().textured_passing) {
+        take_coefficients(batch.scene, level, scratch);
+      } else {
+        scratch.coefficients = batch.scene.materials;
+        scratch.row = scratch.material;
+      }
       // In the order of the shadow rays, whatever the order of what they hit.
       std::vector<std::int32_t> hit_of(n, -1);
       for (std::int32_t h = 0; h < level.hit_count; ++h)
