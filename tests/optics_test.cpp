@@ -289,6 +289,20 @@ TEST(TransparentShadows, AreProductsOverBodiesOnceEach) {
   EXPECT_EQ(middle(rendered(scene, options))[0], 0);
 }
 
+TEST(TransparentShadows, LetThroughWhatATextureSays) {
+  Scene scene = narrow_scene({.ambient = {}, .diffuse = {1, 1, 1}});
+  Texture pattern;
+  pattern.kind = TextureKind::checker;
+  pattern.colors = {{0.25, 0.25, 0.25}, {0.25, 0.25, 0.25}};
+  scene.textures = {pattern};
+  scene.materials.push_back({.ambient = {}, .diffuse = {}, .refraction = 1,
+                             .textures = {{Coefficient::refraction, 0}}});
+  add_wall(scene, 0, 1, 0);
+  scene.lights = {{{30, 0, 40}}};
+  scene.spheres.push_back({Sphere{{6, 0, 8}, 1}, 1});
+  EXPECT_NEAR(middle(rendered(scene, {.shadows = Shadows::transparent}))[0], 0.8 * 0.25, 1e-6);
+}
+
 TEST(TransparentShadows, AbsorbByTheLengthInside) {
   Scene scene = narrow_scene({.ambient = {}, .diffuse = {1, 1, 1}});
   scene.materials.push_back(
