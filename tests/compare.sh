@@ -84,8 +84,7 @@ browser=$(command -v chromium || command -v chromium-browser || command -v googl
 if [ -n "$browser" ]; then
   "$zraka" compare "$folder/x.ppm" "$folder/y.ppm" -q --html "$folder/small.html"
   for view in slider side blink difference flip; do
-    timeout 60 "$browser" --headless --no-sandbox --disable-gpu --enable-logging=stderr --user-data-dir="$folder/profile" \
-      --virtual-time-budget=5000 --dump-dom "file://$folder/small.html#$view" >"$folder/dom" 2>"$folder/log"
+    open_page 'data-ready="yes"' "file://$folder/small.html#$view" 900 || fail "the page as $view has not come"
     for text in 'data-ready="yes"' "data-view=\"$view\"" 'id="value-place">(1, 0)<' '+3, 0'; do
       grep -qF -- "$text" "$folder/dom" || fail "the page as $view has no $text"
     done
