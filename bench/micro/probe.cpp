@@ -93,7 +93,7 @@ void fold_level(const TraceSettings& settings, Workspace<float>& workspace) {
   Level<float>& level = workspace.levels[0];
   level.done = 0;
   level.in_batch = level.ray_count;
-  fold<L>(settings, level, &workspace.levels[1]);
+  fold<L>(settings, level, &workspace.levels[1], static_cast<const V3<float>*>(nullptr));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "accel/ray_lanes.hpp"
+#include "accel/shadowless.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -39,11 +39,13 @@ ZRAKA_INLINE void nearest_in_list(const FrozenScene<typename L::Real>& scene, Ra
 }
 
 template <class L, class Shape>
-ZRAKA_INLINE typename L::M blocked_by(const FrozenShapes<typename L::Real, Shape>& shapes,
+ZRAKA_INLINE typename L::M blocked_by(const FrozenScene<typename L::Real>& scene,
+                                      const FrozenShapes<typename L::Real, Shape>& shapes,
                                       const RayLanes<L>& ray, typename L::M blocked,
                                       typename L::M wanted) {
   using F = typename L::F;
   for (std::int32_t i = 0; i < shapes.count; ++i) {
+    if (is_shadowless(scene, shapes, i)) continue;
     NumbersOf<Shape, L> shape;
     broadcast_shape<L>(shapes, i, shape);
     const F t = intersect_shape<true, Shape, L>(shape, ray.origin, ray.direction, ray.t);
@@ -58,7 +60,8 @@ template <class L>
 ZRAKA_INLINE typename L::M blocked_in_list(const FrozenScene<typename L::Real>& scene,
                                            const RayLanes<L>& ray, typename L::M wanted) {
   typename L::M blocked = L::first(0);
-#define ZRAKA_BLOCKED(Type, plural) blocked = blocked_by<L>(scene.plural, ray, blocked, wanted);
+#define ZRAKA_BLOCKED(Type, plural) \
+  blocked = blocked_by<L>(scene, scene.plural, ray, blocked, wanted);
   ZRAKA_KINDS(ZRAKA_BLOCKED)
 #undef ZRAKA_BLOCKED
   return both(blocked, wanted);

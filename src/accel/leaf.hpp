@@ -4,6 +4,7 @@
 #pragma once
 
 #include "accel/pairs.hpp"
+#include "accel/shadowless.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -16,7 +17,7 @@ ZRAKA_INLINE bool shapes_in_lanes(std::uint32_t rays, std::int32_t leaf) {
 }
 
 /// Each of the rays against kWidth shapes of a leaf at a time: function(ray, slot of the first
-/// shape, distances), where distances that are not positive are no hits.
+/// shape, distances, shapes), where distances that are not positive are no hits.
 template <bool kAny, class L, class R, class Function>
 ZRAKA_INLINE void each_ray_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& bundle,
                                    const BundleEntry<R>& entry, std::uint32_t rays, const R* t,
@@ -33,7 +34,7 @@ ZRAKA_INLINE void each_ray_in_leaf(const FrozenScene<R>& scene, const Bundle<L>&
         const auto i = static_cast<std::size_t>(__builtin_ctz(left));
         const F distance = intersect_shape<kAny, Shape, L>(
             shape, bundle.origin(i), bundle.direction(i), select(exists, F(t[i]), F(-1)));
-        function(i, shapes.first_slot + first, select(exists, distance, F(-1)));
+        function(i, shapes.first_slot + first, select(exists, distance, F(-1)), shapes);
       }
     }
   });
@@ -134,7 +135,8 @@ ZRAKA_INLINE bool nearest_in_leaf(const FrozenScene<R>& scene, const Bundle<L>& 
   if (one_by_one == 0) return changed;
   bool more = false;
   each_ray_in_leaf<false, L>(scene, bundle, entry, one_by_one, nearest.t,
-                             [&](std::size_t i, std::int32_t first, typename L::F distance) {
+                             [&](std::size_t i, std::int32_t first, typename L::F distance,
+                                 const auto&) {
                                if (nearest.intersect(scene, i, first, distance)) more = true;
                              });
   if (more) nearest.give(rays);
@@ -168,14 +170,18 @@ struct LastBlocker {
 /// A queue's first pairs hit, up to a register of them: the rays that are blocked nearer than
 /// their t, a bit each.
 template <class L, class Shape, class R = typename L::Real>
-std::uint32_t blocked_in_queue(const FrozenShapes<R, Shape>& shapes, std::int32_t kind,
-                               const Bundle<L>& bundle, PairQueue<L>& queue, const R* t,
-                               LastBlocker& last) {
+std::uint32_t blocked_in_queue(const FrozenScene<R>& scene, const FrozenShapes<R, Shape>& shapes,
+                               std::int32_t kind, const Bundle<L>& bundle, PairQueue<L>& queue,
+                               const R* t, LastBlocker& last) {
   using F = typename L::F;
   const auto pairs_hit = intersect_pairs<true, L>(shapes, bundle, queue, t);
   const auto nearer =
       both(pairs_hit.distance > F(0), pairs_hit.distance < L::look_up(t, pairs_hit.ray));
   std::uint32_t lanes = bits(both(nearer, pairs_hit.active)), blocked = 0;
+  if (scene.shadowless != nullptr)
+    for (std::uint32_t asked = lanes; asked != 0; asked &= asked - 1)
+      if (is_shadowless(scene, shapes, pairs_hit.shape[__builtin_ctz(asked)]))
+        lanes &= ~(asked & (0u - asked));
   if (lanes == 0) return 0;
   alignas(64) std::int32_t ray[L::kWidth];
   L::store(pairs_hit.ray, ray);
@@ -195,7 +201,7 @@ ZRAKA_INLINE std::uint32_t blocked_by_pairs(const FrozenScene<R>& scene, const B
     if (PairQueue<L>& queue = pairs.of_kind[kind]; queue.ready(all))
       with_kind(scene, kind, [&](const auto& shapes) {
         while (queue.ready(all))
-          blocked |= blocked_in_queue<L>(shapes, kind, bundle, queue, t, last);
+          blocked |= blocked_in_queue<L>(scene, shapes, kind, bundle, queue, t, last);
       });
   }
   return blocked;
@@ -221,6 +227,7 @@ ZRAKA_INLINE std::uint32_t blocked_in_leaf(const FrozenScene<R>& scene, const Bu
     typename L::M blocked = L::first(0);
     with_kind(scene, leaf_kind(entry.leaf), [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
       for (std::int32_t i = 0; i < leaf_count(entry.leaf); ++i) {
+        if (is_shadowless(scene, shapes, entry.child + i)) continue;
         NumbersOf<Shape, L> shape;
         broadcast_shape<L>(shapes, entry.child + i, shape);
         const F distance =
@@ -232,8 +239,12 @@ ZRAKA_INLINE std::uint32_t blocked_in_leaf(const FrozenScene<R>& scene, const Bu
   }
   if (one_by_one != 0)
     each_ray_in_leaf<true, L>(scene, bundle, entry, one_by_one, t,
-                              [&](std::size_t i, std::int32_t, F distance) {
-                                if (any(both(distance > F(0), distance < F(t[i]))))
+                              [&](std::size_t i, std::int32_t first, F distance,
+                                  const auto& shapes) {
+                                const auto hit = both(distance > F(0), distance < F(t[i]));
+                                if (any(hit) && that_throw_shadows(scene, shapes,
+                                                                   first - shapes.first_slot,
+                                                                   bits(hit)) != 0)
                                   blocked_rays |= 1u << i;
                               });
   if (blocked_rays != 0) last = {entry.child, entry.leaf};

@@ -126,6 +126,7 @@ std::uint32_t blocked_outside_hierarchy(const FrozenScene<typename L::Real>& sce
     const RayLanes<L>& ray = rays.ray[r];
     typename L::M by_any = L::first(0);
     for (std::int32_t i = scene.bodies.bounded; i < scene.bodies.count; ++i) {
+      if (is_shadowless(scene, scene.bodies, i)) continue;
       BodiesInLanes<L> body;
       broadcast_shape<L>(scene.bodies, i, body);
       const F t = intersect_shape<true, Body, L>(body, ray.origin, ray.direction, ray.t);

@@ -28,12 +28,13 @@ struct TraceSettings {
   int max_depth = 4;
   bool clamp_levels = false;
   bool mirror_when_total = true;
+  bool sky_beyond = false;  ///< Profile's
   /// For kernels whose rules vary: which of their variations, 0 for none.
   int variation = 0;
   float unit = 1;  ///< length of the engine's unit in the scene's
   // Of the general engine.
   bool transparent_shadows = false;
-  bool filter_surfaces = false, sky_beyond = false;  ///< Profile's
+  bool filter_surfaces = false;  ///< Profile's
   double min_contribution = 0;
   double brightest = 0;  ///< no ray brings more, by any channel
   std::uint32_t seed = 0;

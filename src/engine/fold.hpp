@@ -26,10 +26,10 @@ ZRAKA_INLINE V3<typename L::F> add_child(const V3<typename L::F>& sum, const R* 
 
 /// C = local + k1·Crefl + k2·Crefr for each hit of the level's batch, which is then done; the
 /// components are clamped to 0…1 where the profile says so. Without children `next` is not looked
-/// at.
+/// at; where there is a sky beyond, they would have brought its colour.
 template <class L, class R = typename L::Real, class Recorder = NoRecord>
 void fold(const TraceSettings& settings, Level<R>& level, const Level<R>* next,
-          const Recorder& record = {}) {
+          const V3<R>* sky_beyond, const Recorder& record = {}) {
   using F = typename L::F;
   using I = typename L::I;
   const auto n = static_cast<std::size_t>(level.hit_count);
@@ -39,6 +39,10 @@ void fold(const TraceSettings& settings, Level<R>& level, const Level<R>* next,
     if (next != nullptr) {
       color = add_child<L>(color, hits.reflection + h, hits.reflected + h, next->rays);
       color = add_child<L>(color, hits.refraction + h, hits.refracted + h, next->rays);
+    }
+    if (sky_beyond != nullptr) {
+      const V3<F> sky = broadcast<L>(*sky_beyond);
+      color = color + sky * L::load(hits.reflection + h) + sky * L::load(hits.refraction + h);
     }
     record.keep(Quantity::unclamped, h, color);
     if (settings.clamp_levels) {

@@ -55,6 +55,8 @@ class Record {
     for (std::size_t first = 0; first < shadow_rays; first += RayGroup<L>::kRays) {
       RayGroup<L> rays = group_of_shadow_rays<L>(scratch, first, shadow_rays);
       find_nearest<L>(scene, rays);
+      if (scene.shadowless != nullptr)
+        for (std::size_t r = 0; r < kRegisters<L>; ++r) look_behind(scene, rays, r);
       each_register(rays, first, shadow_rays, [&](std::size_t i, const RayLanes<L>& ray, auto) {
         L::store(ray.t, to_.blocker_t + i);
         L::store(ray.slot, to_.blocker + i);
@@ -72,6 +74,46 @@ class Record {
   ZRAKA_INLINE bool goes_on() const { return !to_.stop; }
 
  private:
+  /// Which hits are on shapes that throw no shadow.
+  static typename L::M on_shadowless(const FrozenScene<R>& scene, typename L::I slot,
+                                     typename L::I material) {
+    alignas(64) std::int32_t slots[L::kWidth], materials[L::kWidth];
+    L::store(slot, slots);
+    L::store(material, materials);
+    std::uint32_t lanes = 0;
+    for (std::size_t i = 0; i < L::kWidth; ++i)
+      lanes |= slots[i] >= 0 && scene.shadowless[materials[i]] != 0 ? 1u << i : 0u;
+    return L::from_bits(lanes);
+  }
+
+  /// Where a register's rays have hit shapes that throw no shadow, what they hit behind these.
+  static void look_behind(const FrozenScene<R>& scene, RayGroup<L>& rays, std::size_t r) {
+    RayLanes<L> part = rays.ray[r];  // from where it went through a shape
+    F walked(0);
+    typename L::M lanes = rays.active[r];
+    for (;;) {
+      const Surfaces<L> hit = surfaces_at<L>(scene, part.slot, part.origin, part.direction, part.t,
+                                             static_cast<HitPath*>(nullptr));
+      lanes = both(lanes, on_shadowless(scene, part.slot, hit.material));
+      if (!any(lanes)) return;
+      const V3<F> ahead =
+          hit.at.point + hit.at.normal * select(hit.at.inside, hit.at.offset, -hit.at.offset);
+      part.origin = {select(lanes, ahead.x, part.origin.x), select(lanes, ahead.y, part.origin.y),
+                     select(lanes, ahead.z, part.origin.z)};
+      walked = select(lanes, walked + part.t, walked);
+      RayGroup<L> behind;
+      for (std::size_t i = 0; i < kRegisters<L>; ++i) {
+        behind.ray[i] = {part.origin, part.direction, F(kFarAway<R>), typename L::I(-1)};
+        behind.active[i] = i == 0 ? lanes : L::first(0);
+      }
+      find_nearest<L>(scene, behind);
+      part.t = select(lanes, behind.ray[0].t, part.t);
+      part.slot = select(lanes, behind.ray[0].slot, part.slot);
+      rays.ray[r].t = select(lanes, walked + part.t, rays.ray[r].t);
+      rays.ray[r].slot = select(lanes, part.slot, rays.ray[r].slot);
+    }
+  }
+
   Recording<R>& to_;
 };
 

@@ -112,6 +112,18 @@ void spawn_reflected(const TraceSettings& settings, Level<R>& level,
   counts.reflected += static_cast<std::uint64_t>(next.ray_count - before);
 }
 
+/// The shares of children that are too deep to be traced.
+template <class L, class R = typename L::Real>
+void find_shares(const TraceSettings& settings, Level<R>& level, const Scratch<R>& scratch) {
+  using F = typename L::F;
+  const auto n = static_cast<std::size_t>(level.hit_count);
+  for (std::size_t h = 0; h < n; h += L::kWidth) {
+    const auto material = load_materials<L>(scratch, h, n);
+    L::store(settings.terms.reflection ? material[kReflection] : F(0), level.hits.reflection + h);
+    L::store(settings.terms.refraction ? material[kRefraction] : F(0), level.hits.refraction + h);
+  }
+}
+
 /// R = -aN - bU with a = -b·cos α + √(D/4), where D is not negative.
 template <class L, class R = typename L::Real, class Recorder = NoRecord, class Ruling = Rules>
 void spawn_refracted(Level<R>& level, const Scratch<R>& scratch,

@@ -31,7 +31,9 @@ void trace_batch(const FrozenScene<R>& scene, const TraceSettings& settings, Lev
   take_coefficients(scene, level, workspace.scratch);
   light_hits<L>(scene, settings, level, workspace.scratch, counts, record, steps);
 
-  if (next == nullptr || settings.terms.silhouette) return;
+  if (settings.terms.silhouette) return;
+  if (next == nullptr && settings.sky_beyond) find_shares<L>(settings, level, workspace.scratch);
+  if (next == nullptr) return;
   if (!settings.terms.reflection && !settings.terms.refraction) return;
   steps.template spawn_reflected<L>(settings, level, workspace.scratch, *next, counts,
                                     record, steps);
@@ -47,6 +49,10 @@ template <class L, class R = typename L::Real, class Recorder = NoRecord, class 
 void trace_trees(const FrozenScene<R>& scene, const TraceSettings& settings,
                  Workspace<R>& workspace, RayCounts& counts, const Recorder& record = {},
                  const Stepping& steps = {}) {
+  // What children bring that are too deep to be traced.
+  const V3<R>* const beyond =
+      settings.sky_beyond && !settings.terms.silhouette ? &scene.background : nullptr;
+  constexpr const V3<R>* kNothing = nullptr;
   for (int depth = 0;;) {
     Level<R>& level = workspace.levels[depth];
     if (level.done < level.ray_count) {
@@ -56,10 +62,11 @@ void trace_trees(const FrozenScene<R>& scene, const TraceSettings& settings,
       if (next != nullptr && next->ray_count > 0 && record.goes_on())
         ++depth;  // the children first
       else
-        fold<L>(settings, level, static_cast<Level<R>*>(nullptr), record);
+        fold<L>(settings, level, static_cast<Level<R>*>(nullptr),
+                next == nullptr ? beyond : kNothing, record);
     } else if (depth > 0) {
       --depth;  // all the children's colours are known
-      fold<L>(settings, workspace.levels[depth], &level, record);
+      fold<L>(settings, workspace.levels[depth], &level, kNothing, record);
     } else {
       return;
     }

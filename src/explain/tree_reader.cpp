@@ -78,6 +78,12 @@ class TreeReader {
     const V3<float>& c = stand_.frozen().lights[light].color;
     return {c.x, c.y, c.z};
   }
+  /// Whether children of the level's hits, which are too deep to be traced, have the sky's colour.
+  bool sees_beyond(const Level<float>& level) {
+    return settings_.sky_beyond && !settings_.terms.silhouette &&
+           depth_of(level) == static_cast<std::size_t>(settings_.max_depth);
+  }
+  std::optional<SkyBeyond> sky_beyond(const Level<float>& level, std::size_t h) const;
   ExplainedHit surface(const Level<float>& level, const Scratch<float>& s, std::size_t h) const;
   Absence absence(float share, bool in_stage) const;
 
@@ -230,6 +236,17 @@ void TreeReader::at_children(const Level<float>& level, const Level<float>& next
   }
 }
 
+std::optional<SkyBeyond> TreeReader::sky_beyond(const Level<float>& level, std::size_t h) const {
+  const V3<float>& sky = stand_.frozen().background;
+  const auto share_of_sky = [&](float share) -> Float3 {
+    return {sky.x * share, sky.y * share, sky.z * share};
+  };
+  const SkyBeyond beyond{share_of_sky(level.hits.reflection[h]),
+                         share_of_sky(level.hits.refraction[h])};
+  if (beyond.reflected == Float3{} && beyond.refracted == Float3{}) return std::nullopt;
+  return beyond;
+}
+
 void TreeReader::at_fold(const Level<float>& level) {
   if (terms_.recording().stop) return;
   const std::size_t first = first_[depth_of(level)];
@@ -238,6 +255,7 @@ void TreeReader::at_fold(const Level<float>& level) {
   for (std::size_t h = 0; h < static_cast<std::size_t>(level.hit_count); ++h) {
     hit(level, h).local = {level.hits.r[h], level.hits.g[h], level.hits.b[h]};
     hit(level, h).sum = terms_.three_at(Quantity::unclamped, h);
+    if (sees_beyond(level)) hit(level, h).sky_beyond = sky_beyond(level, h);
   }
 }
 

@@ -109,13 +109,8 @@ void finish(PreparedScene<R>& prepared, const RenderOptions& options) {
 }
 
 /// Whether what is asked for is beyond the lean engine, whatever the scene's optics.
-bool asks_for_more(const Scene& scene, const RenderOptions& options) {
-  const auto has_children = [](const Material& m) {
-    return m.reflection != Share{} || m.refraction != Share{} || !m.textures.empty();
-  };
-  return options.shadows == Shadows::transparent || options.min_contribution > 0 ||
-         (options.profile.sky_beyond &&
-          std::any_of(scene.materials.begin(), scene.materials.end(), has_children));
+bool asks_for_more(const RenderOptions& options) {
+  return options.shadows == Shadows::transparent || options.min_contribution > 0;
 }
 
 /// No ray brings more than this, by any channel.
@@ -141,13 +136,14 @@ double brightest_of(const FrozenOptics& optics, const RenderOptions& options,
 }  // namespace
 
 bool needs_general_engine(const Scene& scene, const RenderOptions& options) {
-  return has_optics(scene) || asks_for_more(scene, options);
+  return has_optics(scene) || asks_for_more(options);
 }
 
 bool is_beyond_the_lab(const Scene& scene, const RenderOptions& options) {
-  return needs_general_engine(scene, options) ||
-         std::any_of(scene.materials.begin(), scene.materials.end(),
-                     [](const Material& m) { return m.highlight != Highlight::phong; });
+  return needs_general_engine(scene, options) || options.profile.sky_beyond ||
+         std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
+           return m.highlight != Highlight::phong || !m.casts_shadow;
+         });
 }
 
 template <class R>
@@ -159,12 +155,12 @@ TraceSettings settings_of(const RenderOptions& options, const PreparedScene<R>& 
   settings.max_depth = options.max_depth;
   settings.clamp_levels = options.profile.clamp_levels;
   settings.mirror_when_total = options.profile.mirror_when_total;
+  settings.sky_beyond = options.profile.sky_beyond;
   settings.variation = variation;
   settings.unit = static_cast<float>(prepared.frame.world_length(1));
   const FrozenOptics* const optics = prepared.store->scene.optics;
   if (optics == nullptr) return settings;
   settings.filter_surfaces = options.profile.filter_surfaces;
-  settings.sky_beyond = options.profile.sky_beyond;
   settings.transparent_shadows = options.shadows == Shadows::transparent;
   settings.min_contribution = options.min_contribution;
   settings.seed = options.sampling.seed;
@@ -176,7 +172,7 @@ TraceSettings settings_of(const RenderOptions& options, const PreparedScene<R>& 
 template <class R>
 PreparedScene<R> prepare(const Scene& scene, const RenderOptions& options) {
   PreparedScene<R> prepared{frame_of(scene), {}, nullptr};
-  prepared.store = freeze<R>(scene, options.profile, prepared.frame, asks_for_more(scene, options));
+  prepared.store = freeze<R>(scene, options.profile, prepared.frame, asks_for_more(options));
   finish(prepared, options);
   return prepared;
 }
@@ -184,7 +180,7 @@ PreparedScene<R> prepare(const Scene& scene, const RenderOptions& options) {
 template <class R>
 PreparedScene<R> prepare_with_room(const Scene& scene, const RenderOptions& options, R room) {
   PreparedScene<R> prepared{frame_of(scene), {}, nullptr};
-  prepared.store = freeze<R>(scene, options.profile, prepared.frame, asks_for_more(scene, options));
+  prepared.store = freeze<R>(scene, options.profile, prepared.frame, asks_for_more(options));
   FrozenCamera<R>& camera = prepared.store->scene.camera;
   const FrozenCamera<R> own = camera;
   camera.beyond = std::max(camera.beyond, room);
@@ -196,7 +192,7 @@ PreparedScene<R> prepare_with_room(const Scene& scene, const RenderOptions& opti
 template <class R>
 PreparedScene<R> prepare(Scene&& scene, const RenderOptions& options) {
   PreparedScene<R> prepared{frame_of(scene), {}, nullptr};
-  prepared.store = freeze<R>(scene, options.profile, prepared.frame, asks_for_more(scene, options));
+  prepared.store = freeze<R>(scene, options.profile, prepared.frame, asks_for_more(options));
   scene = Scene();
   finish(prepared, options);
   return prepared;

@@ -353,6 +353,9 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
   if (optics || has_optics(scene)) {
     store->optics = freeze_optics(scene, profile, frame);
     frozen.optics = &store->optics->frozen;
+  } else if (has_shadowless(scene)) {
+    for (const Material& m : scene.materials) store->shadowless.push_back(m.casts_shadow ? 0 : 1);
+    frozen.shadowless = store->shadowless.data();
   }
 
   const Whereabouts where(scene);

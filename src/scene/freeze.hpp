@@ -38,6 +38,7 @@ struct FrozenStore {
   UnsetVector<R> reals, rows;
   UnsetVector<std::int32_t> materials, ids;
   std::vector<FrozenLight<R>> lights;
+  std::vector<std::uint8_t> shadowless;  ///< by material; empty where all throw shadows
   /// By kind: of those shapes after the last one read that are pieces of others, which ones.
   std::array<std::vector<std::int32_t>, kKinds> parents;
   /// By kind: what textures need of shapes. Empty where no material has textures.

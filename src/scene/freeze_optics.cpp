@@ -26,7 +26,7 @@ double most_of(const V3<double>& v) {
 
 bool has_optics(const Material& m) {
   return !m.reflection.is_grey() || !m.refraction.is_grey() || m.fresnel != Fresnel::off ||
-         m.absorption != Color{} || m.priority != 0 || !m.casts_shadow ||
+         m.absorption != Color{} || m.priority != 0 ||
          m.dispersion.kind != Dispersion::Kind::none;
 }
 
@@ -191,7 +191,32 @@ void find_bounds(const Scene& scene, FrozenOptics& out) {
   }
 }
 
+/// Whether any part of a whole, or a whole, throws no shadow: of those the lean engine knows not.
+bool has_shadowless_wholes(const Scene& scene) {
+  const auto shadowless = [&](std::uint32_t material) {
+    return material < scene.materials.size() && !scene.materials[material].casts_shadow;
+  };
+  const auto any_in = [&](const auto& shapes) {
+    return std::any_of(shapes.begin(), shapes.end(),
+                       [&](const auto& shape) { return shadowless(shape.material); });
+  };
+  const auto any_in_group = [&](const Group& group) {
+#define ZRAKA_ANY(Type, plural) any_in(group.plural) ||
+    return ZRAKA_SHAPES(ZRAKA_ANY) false;
+#undef ZRAKA_ANY
+  };
+  return any_in(scene.instances) || any_in(scene.csgs) ||
+         std::any_of(scene.csgs.begin(), scene.csgs.end(),
+                     [&](const auto& csg) { return any_in(csg.shape.of); }) ||
+         std::any_of(scene.groups.begin(), scene.groups.end(), any_in_group);
+}
+
 }  // namespace
+
+bool has_shadowless(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& m) { return !m.casts_shadow; });
+}
 
 bool has_optics(const Scene& scene) {
   return scene.ambient_occlusion.samples > 0 || scene.sky.kind != Sky::Kind::flat ||
@@ -202,7 +227,8 @@ bool has_optics(const Scene& scene) {
                        return light.kind != LightKind::point || light.attenuation != Vec3{1, 0, 0};
                      }) ||
          std::any_of(scene.materials.begin(), scene.materials.end(),
-                     [](const Material& m) { return has_optics(m); });
+                     [](const Material& m) { return has_optics(m); }) ||
+         (has_shadowless(scene) && has_shadowless_wholes(scene));
 }
 
 std::unique_ptr<StoredOptics> freeze_optics(const Scene& scene, const Profile& profile,

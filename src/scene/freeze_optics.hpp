@@ -23,8 +23,11 @@ struct StoredOptics {
   std::vector<float> body_sizes;
 };
 
-/// Whether a scene has anything that the lab's engine has not.
+/// Whether a scene has anything that the lean engine has not.
 bool has_optics(const Scene& scene);
+
+/// Whether a scene has materials that throw no shadow.
+bool has_shadowless(const Scene& scene);
 
 std::unique_ptr<StoredOptics> freeze_optics(const Scene& scene, const Profile& profile,
                                             const Frame& frame);

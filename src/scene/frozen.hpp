@@ -117,6 +117,9 @@ struct FrozenScene {
   const FrozenLight<R>* lights;
   std::int32_t light_count;
   const R* materials;  ///< rows of kMaterialReals
+  /// By material, 1 where shadow rays go through its shapes. nullptr: nowhere, or the general engine
+  /// traces them, which knows of it by itself.
+  const std::uint8_t* shadowless;
   const FrozenTextures* textures;  ///< nullptr: no material has any
   const FrozenOptics* optics;      ///< nullptr: there is nothing but what the lab has
   double frame_scale;              ///< the frame that all of this is in
