@@ -61,10 +61,10 @@ void add_screens(Scene& scene, std::uint32_t material, bool many) {
   scene.boxes.push_back({{{-5, 5.2, -5}, {5, 5.4, 5}}, material});
   scene.planes.push_back({{{0, 5.5, 0}, {0, 1, 0}}, material});
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> place(-3, 3);
-  for (int i = 0; i < 1000; ++i)
+  std::uniform_real_distribution<double> place(-2, 4);
+  for (int i = 0; i < 3000; ++i)
     scene.spheres.push_back(
-        {{{place(random), 4.8 + 0.1 * place(random), place(random)}, 0.03}, material});
+        {{{place(random), 4.5 + 0.2 * place(random), place(random)}, 0.06}, material});
 }
 
 /// The same by the general engine: no ray brings less than nothing.
