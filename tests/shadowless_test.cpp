@@ -60,6 +60,8 @@ void add_screens(Scene& scene, std::uint32_t material, bool many) {
   if (!many) return;
   scene.boxes.push_back({{{-5, 5.2, -5}, {5, 5.4, 5}}, material});
   scene.planes.push_back({{{0, 5.5, 0}, {0, 1, 0}}, material});
+  // What nothing can split stays in one leaf.
+  for (int i = 0; i < 12; ++i) scene.spheres.push_back({{{1, 4.2, 1}, 0.3 + i * 1e-6}, material});
   std::mt19937 random(11);
   std::uniform_real_distribution<double> place(-2, 4);
   for (int i = 0; i < 3000; ++i)
