@@ -2,6 +2,7 @@
 // Rays against one type of body: into its own space, its crossings, and back.
 #pragma once
 
+#include "accel/plane_rays.hpp"
 #include "accel/ray_lanes.hpp"
 #include "math/double_lanes.hpp"
 #include "shapes/bodies.hpp"
@@ -94,19 +95,11 @@ template <class L>
 ZRAKA_INLINE void answer(BodyQuery<L>& query, std::size_t c, std::uint32_t asked,
                          typename DoublesOf<L>::F nearest) {
   using D = DoublesOf<L>;
+  using F = typename D::F;
+  const F t = select(nearest < F(kFarAway<double>), nearest, F(-1.0));
   constexpr auto kAll = static_cast<std::uint32_t>((std::uint64_t{1} << D::kWidth) - 1);
-  if (asked == kAll) {
-    D::store_reals(select(nearest < typename D::F(kFarAway<double>), nearest, typename D::F(-1.0)),
-                   query.t + c);
-    return;
-  }
-  alignas(64) double t[D::kWidth];
-  D::store(nearest, t);
-  for (; asked != 0; asked &= asked - 1) {
-    const auto lane = static_cast<std::size_t>(__builtin_ctz(asked));
-    query.t[c + lane] =
-        t[lane] < kFarAway<double> ? static_cast<typename L::Real>(t[lane]) : typename L::Real(-1);
-  }
+  D::store_reals(
+      asked == kAll ? t : select(D::from_bits(asked), t, D::load_reals(query.t + c)), query.t + c);
 }
 
 /// Calls function(c, asked, first body asked for) for each part of the query's lanes that double
@@ -136,12 +129,21 @@ void hit_bodies(const FrozenShapes<typename L::Real, Body>& bodies, BodyQuery<L>
     }
     const V3<F> origin = load_doubles<L>(query.origin, c);
     const V3<F> direction = load_doubles<L>(query.direction, c);
-    F at[BodyLanes<Shape, D>::kMost];
+    const auto cross = [&](const auto& row) {
+      if constexpr (std::is_same_v<Shape, Plane>) {
+        const auto miss =
+            surely_miss_plane<D>(row, origin, direction, D::load_reals(query.limit + c));
+        asked &= ~bits_of_doubles(miss);
+        if (asked == 0) return;
+      }
+      F at[BodyLanes<Shape, D>::kMost];
+      cross_body<Shape, D>(row, origin, direction, at);
+      answer<L>(query, c, asked, first_in_front(at));
+    };
     if (shared)
-      cross_body<Shape, D>(SharedNumbers<D>{bodies.numbers + start[0]}, origin, direction, at);
+      cross(SharedNumbers<D>{bodies.numbers + start[0]});
     else
-      cross_body<Shape, D>(OwnNumbers<D>{bodies.numbers, start}, origin, direction, at);
-    answer<L>(query, c, asked, first_in_front(at));
+      cross(OwnNumbers<D>{bodies.numbers, start});
   });
 }
 

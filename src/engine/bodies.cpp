@@ -4,6 +4,7 @@
 #include "accel/body_surface.hpp"
 #include "accel/csg.hpp"
 #include "accel/group_rays.hpp"
+#include "engine/plane_surfaces.hpp"
 #include "engine/surfaces.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -107,10 +108,12 @@ typename L::F intersect_bodies(const BodiesInLanes<L>& in_lanes, const V3<typena
   store_rays<L>(origin, direction, query);
   L::store(limit, query.limit);
   L::store(typename L::F(R(-1)), query.t);
+  const bool one = all(in_lanes.which == typename L::I(query.body[0]));
   for (std::uint32_t left = bits(limit > typename L::F(R(0))); left != 0;) {
     const std::uint8_t type = bodies.type[query.body[__builtin_ctz(left)]];
     const std::uint32_t same =
-        lanes_with(left, [&](std::size_t i) { return bodies.type[query.body[i]] == type; });
+        one ? left
+            : lanes_with(left, [&](std::size_t i) { return bodies.type[query.body[i]] == type; });
     kFunctions[type](bodies, query, same, any);
     left &= ~same;
   }
@@ -180,6 +183,37 @@ void surface_of_body(const FrozenShapes<typename L::Real, Body>& bodies, std::in
   const std::int32_t own = bodies.material[hit.body];
   out.material[lane] = own >= 0 ? own : bodies.material[body];
   if (paths != nullptr) paths[lane].body = hit.body;
+}
+
+/// Of the lanes that hit one plane: as surface_of_body(), in lanes.
+template <class L>
+void surfaces_of_plane(const FrozenShapes<typename L::Real, Body>& bodies, std::int32_t body,
+                       std::uint32_t lanes, const BodyQuery<L>& query, SurfaceMemory<L>& out,
+                       HitPath* paths) {
+  using R = typename L::Real;
+  using D = DoublesOf<L>;
+  using F = typename D::F;
+  hits_of_plane<L>(bodies, body, lanes, query,
+                   [&](std::size_t c, std::uint32_t asked, const V3<F>& point,
+                       const V3<double>& normal, const F& size, typename D::M inside) {
+    const auto mine = D::from_bits(asked);
+    const auto put = [&](const F& value, R* to) {
+      D::store_reals(select(mine, value, D::load_reals(to + c)), to + c);
+    };
+    put(point.x, out.point[0]), put(point.y, out.point[1]), put(point.z, out.point[2]);
+    put(F(normal.x), out.normal[0]), put(F(normal.y), out.normal[1]);
+    put(F(normal.z), out.normal[2]);
+    const auto length = [&](const R* at) { return abs(D::load_reals(at + c)); };
+    const F largest =
+        max(length(out.point[0]), max(length(out.point[1]), length(out.point[2])));
+    put(largest * F(kBodyOffset<R>) + size * F(kOwnOffset<R>), out.offset);
+    put(select(inside, F(1.0), F(0.0)), out.inside);
+  });
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
+    out.material[lane] = bodies.material[body];
+    if (paths != nullptr) paths[lane].body = body;
+  }
 }
 
 /// Puts an instance in front of a path within its group, whose frame is reached by these columns
@@ -258,13 +292,17 @@ void surfaces_of_bodies(const FrozenShapes<typename L::Real, Body>& bodies, type
   while (left != 0) {
     const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
     const std::int32_t body = query.body[lane];
-    if (bodies.type[body] != kTypeInstance) {
+    const bool is_plane = bodies.type[body] == kTypePlane;
+    if (!is_plane && bodies.type[body] != kTypeInstance) {
       surface_of_body<L>(bodies, body, lane, query, memory, paths);
       left &= left - 1;
       continue;
     }
     const std::uint32_t mine = lanes_with(left, [&](std::size_t i) { return query.body[i] == body; });
-    surfaces_of_instance<L>(bodies, body, mine, query, memory, paths);
+    if (is_plane)
+      surfaces_of_plane<L>(bodies, body, mine, query, memory, paths);
+    else
+      surfaces_of_instance<L>(bodies, body, mine, query, memory, paths);
     left &= ~mine;
   }
   surfaces = memory.back();

@@ -20,7 +20,13 @@ struct ScalarDoubles {
   static ZRAKA_INLINE F gather(const double* base, const std::int32_t* index) {
     return base[*index];
   }
+  static ZRAKA_INLINE M from_bits(std::uint32_t b) { return (b & 1) != 0; }
 };
+
+/// Lane i's bit is 1 << i.
+ZRAKA_INLINE std::uint32_t bits_of_doubles(bool m) {
+  return m ? 1 : 0;
+}
 
 ZRAKA_INLINE bool select(bool m, bool a, bool b) {
   return m ? a : b;
@@ -77,6 +83,11 @@ ZRAKA_INLINE bool any(DoubleMask m) {
 }
 ZRAKA_INLINE bool all(DoubleMask m) {
   return hn::AllTrue(wide::dd, m.v);
+}
+ZRAKA_INLINE std::uint32_t bits_of_doubles(DoubleMask m) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(wide::dd, m.v, bytes);
+  return bytes[0];
 }
 ZRAKA_INLINE DoubleMask both(DoubleMask a, DoubleMask b) {
   return {hn::And(a.v, b.v)};
@@ -147,6 +158,10 @@ struct WideDoubles {
   static ZRAKA_INLINE void store_reals(F v, float* p) {
     const hn::Rebind<float, wide::Dd> floats;
     hn::StoreU(hn::DemoteTo(floats, v.v), floats, p);
+  }
+  static ZRAKA_INLINE M from_bits(std::uint32_t b) {
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(b)};
+    return {hn::LoadMaskBits(wide::dd, bytes)};
   }
   /// base[index[i]] in lane i.
   static ZRAKA_INLINE F gather(const double* base, const std::int32_t* index) {
