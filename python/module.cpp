@@ -305,17 +305,19 @@ void add_scene(py::module_& module) {
       .def(
           "render",
           [](const PyScene& self, const py::object& samples, const py::object& depth,
-             const py::object& threads, const py::object& transparent, const py::object& progress,
-             const py::object& dtype) {
-            return render_scene(self, {samples, depth, threads, transparent, progress, dtype});
+             const py::object& threads, const py::object& transparent, const py::object& outlines,
+             const py::object& progress, const py::object& dtype) {
+            return render_scene(self,
+                                {samples, depth, threads, transparent, outlines, progress, dtype});
           },
           py::kw_only(), py::arg("samples") = none, py::arg("depth") = none,
-          py::arg("threads") = none, py::arg("transparent") = false, py::arg("progress") = none,
-          py::arg("dtype") = "float32",
+          py::arg("threads") = none, py::arg("transparent") = false, py::arg("outlines") = 0,
+          py::arg("progress") = none, py::arg("dtype") = "float32",
           "The picture as an array of shape (height, width, 3): linear light as float32, or sRGB "
           "as "
           "uint8. With transparent=True there is a fourth channel, alpha, by which the colours are "
-          "multiplied. samples is the number of rays a pixel, depth of reflections in a row; "
+          "multiplied. samples is the number of rays a pixel, depth of reflections in a row, "
+          "outlines the width in pixels of black lines where another shape begins; "
           "progress(done, pixels) is called now and then. Ctrl-C ends it.")
       .def("layers", &layers_of, py::arg("names"),
            "What else is known of pixels, by channel: for names among depth, position, normal, uv, "
@@ -371,8 +373,9 @@ void add_renderer(py::module_& module) {
           [](const PyRenderer& self, const py::object& eye, const py::object& target,
              const py::object& fov, const py::object& up, const py::object& samples,
              const py::object& depth, const py::object& threads, const py::object& transparent,
-             const py::object& progress, const py::object& dtype) {
-            const Keywords keywords{samples, depth, threads, transparent, progress, dtype};
+             const py::object& outlines, const py::object& progress, const py::object& dtype) {
+            const Keywords keywords{samples,  depth,    threads, transparent,
+                                    outlines, progress, dtype};
             const RenderOptions options = options_of(self.defaults, keywords);
             View view = self.renderer.view();
             if (!eye.is_none()) view = view_of(eye, target, fov, up, view.resolution);
@@ -385,7 +388,7 @@ void add_renderer(py::module_& module) {
           py::arg("eye") = none, py::arg("target") = py::make_tuple(0, 0, 0), py::kw_only(),
           py::arg("fov") = 40, py::arg("up") = py::make_tuple(0, 1, 0), py::arg("samples") = none,
           py::arg("depth") = none, py::arg("threads") = none, py::arg("transparent") = false,
-          py::arg("progress") = none, py::arg("dtype") = "float32",
+          py::arg("outlines") = 0, py::arg("progress") = none, py::arg("dtype") = "float32",
           "The picture from eye, or as the scene is seen, as Scene.render() returns it.");
 }
 

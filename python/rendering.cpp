@@ -17,6 +17,7 @@ RenderOptions options_of(const RenderDefaults& defaults, const Keywords& keyword
   if (!py::isinstance<py::bool_>(keywords.transparent))
     throw py::value_error("transparent: expected True or False");
   options.transparent = keywords.transparent.cast<bool>();
+  options.outlines = static_cast<int>(whole_of(keywords.outlines, "outlines", 0, kMaxOutlines));
   if (!keywords.progress.is_none() && PyCallable_Check(keywords.progress.ptr()) == 0)
     throw py::value_error("progress: expected a function of two numbers: pixels done, and in all");
   return options;

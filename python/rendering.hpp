@@ -15,7 +15,7 @@ namespace zraka::python {
 
 /// What all pictures have as keywords; None is what the scene says.
 struct Keywords {
-  py::object samples, depth, threads, transparent, progress, dtype;
+  py::object samples, depth, threads, transparent, outlines, progress, dtype;
 };
 
 RenderOptions options_of(const RenderDefaults& defaults, const Keywords& keywords);

@@ -94,6 +94,16 @@ class Pictures(unittest.TestCase):
         scene.camera((4, 1, 2), (0, 0, 0))
         self.assertTrue(np.array_equal(renderer.render((4, 1, 2)), scene.render()))
 
+    def test_outlines(self):
+        scene = small_scene()
+        plain, drawn = scene.render(), scene.render(outlines=1)
+        changed = np.any(plain != drawn, axis=2)
+        self.assertTrue(0.01 < changed.mean() < 0.3)
+        self.assertTrue(np.all(drawn[changed] == 0))
+        self.assertTrue(np.array_equal(zraka.Renderer(scene).render(outlines=1), drawn))
+        with self.assertRaisesRegex(ValueError, "outlines: "):
+            scene.render(outlines=-1)
+
     def test_layers(self):
         layers = small_scene().layers(["depth", "object-id"])
         ids = layers["objectId.X"]
@@ -296,7 +306,7 @@ class Errors(unittest.TestCase):
             (scene.camera, ["eye", "target", "fov", "up"]),
             (scene.light, ["position", "color"]),
             (scene.material, ["color", "ambient", "specular", "shininess", "reflection", "ior"]),
-            (scene.render, ["samples", "depth", "threads", "transparent", "progress", "dtype"]),
+            (scene.render, ["samples", "depth", "threads", "transparent", "outlines", "progress", "dtype"]),
             (scene.explain, ["x", "y"]),
             (zraka.Scene, ["width", "height", "background", "ambient_light"]),
             (zraka.sha256, ["image"]),

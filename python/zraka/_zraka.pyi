@@ -50,6 +50,7 @@ class Scene:
         depth: int | None = None,
         threads: int | None = None,
         transparent: bool = False,
+        outlines: int = 0,
         progress: _Progress | None = None,
         dtype: Literal["float32", "uint8"] | type = "float32",
     ) -> NDArray[Any]: ...
@@ -72,6 +73,7 @@ class Renderer:
         depth: int | None = None,
         threads: int | None = None,
         transparent: bool = False,
+        outlines: int = 0,
         progress: _Progress | None = None,
         dtype: Literal["float32", "uint8"] | type = "float32",
     ) -> NDArray[Any]: ...
