@@ -82,7 +82,7 @@ TEST_F(HandedIn, HasNoFalseCauses) {
 #endif
   int unknown = 0, all = 0;
   std::string named;
-  for (int i = 1; i < static_cast<int>(outside::Slip::count); i += 3) {
+  for (int i = 1; i < static_cast<int>(outside::kFirstHeldOut); i += 3) {
     const auto slip = static_cast<outside::Slip>(i);
     const Image picture = outside::Tracer(scene, 7, slip).picture();
     if (measure_errors(picture, grader.picture(7), 2.5 / 255).share() < 0.02) continue;
