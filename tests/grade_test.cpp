@@ -229,6 +229,30 @@ TEST(Grade, FindsTheStagesOfPicturesWithoutNames) {
     EXPECT_EQ(stage.file, fmt::format("{}.png", names[stage.stage - 1]));
 }
 
+TEST(Grade, SaysWhichOtherStageAPictureIsRightAs) {
+  const Scene scene = course_scene();
+  const Grader grader = Grader::create(scene, lab_options()).value();
+  const Folder folder;
+  // The second once more as the third; what the fifth is called says that it has shadows.
+  for (const int stage : {1, 2, 4, 6, 7})
+    save_png(grader.picture(stage), folder.file(std::to_string(stage) + ".png"));
+  save_png(grader.picture(2), folder.file("3.png"));
+  save_png(grader.picture(7), folder.file("shadows.png"));
+  const Grade grade = grader.grade(folder.path.string());
+  ASSERT_EQ(grade.stages.size(), 7u);
+  EXPECT_EQ(grade.marks, 5);
+  const StageGrade &third = grade.stages[2], &fifth = grade.stages[4];
+  EXPECT_EQ(third.right_as, 2);
+  EXPECT_NE(third.verdict, Verdict::mistaken);
+  EXPECT_EQ(findings(Language::english, grader, third)[0],
+            "right, but as stage 2: ambient component");
+  EXPECT_EQ(findings(Language::english, grader, third)[1],
+            "nothing of what this stage adds can be seen");
+  EXPECT_EQ(fifth.right_as, 7);
+  EXPECT_EQ(findings(Language::croatian, grader, fifth)[0],
+            "točno, ali kao faza 7: refraktirane zrake");
+}
+
 TEST(Submission, KnowsStagesByNames) {
   const std::pair<const char*, int> names[] = {
       {"1.png", 1},         {"v3-slika-5.jpg", 5},          {"Slika07.PNG", 7},

@@ -44,6 +44,13 @@ StageGrade Grader::Impl::unreadable(int stage, const std::string& file,
   return {.stage = stage, .file = file, .verdict = Verdict::unreadable, .problems = problems};
 }
 
+/// What is another stage's right picture shows nothing that its own adds, whatever the cause.
+void say_right_as(int stage, StageGrade& grade) {
+  if (stage == 0) return;
+  grade.right_as = stage;
+  grade.verdict = grade.mistakes.empty() ? Verdict::unknown : Verdict::probable;
+}
+
 /// A word in the name tells the stage. A number is only a hint: where the picture is right as
 /// another stage, or a mistake explains it as the one that it is nearest to, that is the one.
 StageGrade Grader::Impl::judge_one(const SubmittedPicture& picture, const DecodedPicture& image,
@@ -59,7 +66,11 @@ StageGrade Grader::Impl::judge_one(const SubmittedPicture& picture, const Decode
   const bool shown = picture.stage == 0 && stage != 0;
   if (stage == 0) stage = nearest_stage(*pictures, found).stage;
   StageGrade grade = judged(stage);
-  if (picture.stage_is_sure || shown || grade.verdict == Verdict::right) return grade;
+  if (shown || grade.verdict == Verdict::right) return grade;
+  if (picture.stage_is_sure) {
+    say_right_as(right_stage(*pictures, found, 0), grade);
+    return grade;
+  }
   if (picture.stage != 0)
     if (const int right = right_stage(*pictures, found, 0); right != 0) return judged(right);
   if (grade.verdict != Verdict::unknown) return grade;
@@ -110,6 +121,14 @@ std::vector<StageGrade> Grader::Impl::judge_all(
     StageGrade grade = judge_one(*picture, *image, known);
     if (grade.verdict == Verdict::mistaken && grade.mistakes.size() == (grade.both ? 2 : 1))
       known.insert(grade.mistakes.begin(), grade.mistakes.end());
+    // A number is a hint, but the stage that it shows has its picture, and the number's has none.
+    if (picture->stage != 0 && grade.stage != picture->stage &&
+        judged_at(grade.stage).verdict == Verdict::right &&
+        judged_at(picture->stage).verdict == Verdict::missing) {
+      SubmittedPicture as_named = *picture;
+      as_named.stage_is_sure = true;
+      grade = judge_one(as_named, *image, known);
+    }
     StageGrade& there = judged_at(grade.stage);
     if (there.verdict == Verdict::missing || there.verdict == Verdict::unreadable ||
         (grade.verdict == Verdict::right && there.verdict != Verdict::right))

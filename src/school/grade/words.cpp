@@ -73,6 +73,7 @@ Json json_of(Language language, const Grader& grader, const StageGrade& stage) {
           {"visible", stage.alignment.visible},
           {"share_wrong", stage.share_wrong},
           {"share_left", stage.share_left},
+          {"right_as", stage.right_as},
           {"pixels", std::move(pixels)}};
 }
 
@@ -105,14 +106,24 @@ char sign_of(Verdict verdict) {
 std::vector<std::string> findings(Language language, const Grader& grader,
                                   const StageGrade& stage) {
   std::vector<std::string> lines;
+  if (stage.right_as != 0)
+    lines.push_back(say(language, Word::grade_right_as,
+                        text_of(language, static_cast<Stage>(stage.right_as))));
+  if (stage.right_as != 0 && stage.right_as < stage.stage)
+    lines.emplace_back(text_of(language, Word::grade_nothing_added));
   switch (stage.verdict) {
     case Verdict::right:
       lines.emplace_back(text_of(language, Word::grade_right));
       break;
     case Verdict::unknown:
-      lines.push_back(say(language, Word::grade_differs, percent(language, stage.share_wrong)));
+      if (stage.right_as == 0)
+        lines.push_back(say(language, Word::grade_differs, percent(language, stage.share_wrong)));
       break;
     case Verdict::probable:
+      if (stage.right_as != 0) {
+        lines.push_back(say(language, Word::grade_perhaps, text_of(language, stage.mistakes[0])));
+        break;
+      }
       lines.push_back(say(language, Word::grade_probable, text_of(language, stage.mistakes[0])));
       lines.push_back(say(language, Word::grade_unexplained, percent(language, stage.share_wrong),
                           percent(language, stage.share_left)));
