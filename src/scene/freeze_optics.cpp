@@ -241,6 +241,8 @@ std::unique_ptr<StoredOptics> freeze_optics(const Scene& scene, const Profile& p
     out.absorbing = out.absorbing || m.absorption != Color{};
     out.dispersive = out.dispersive || m.dispersion.kind != Dispersion::Kind::none;
     out.shadowless = out.shadowless || !m.casts_shadow;
+    out.transparent = out.transparent || stored->materials.back().textured_k2 ||
+                      m.refraction != Share{};
     out.textured_passing = out.textured_passing || stored->materials.back().textured_k2 ||
                            m.normals.kind != NormalUse::Kind::none;
   }

@@ -83,7 +83,8 @@ struct FrozenOptics {
   bool nested;     ///< some material has a priority: bodies know what they stand in
   bool absorbing;  ///< some material absorbs
   bool dispersive;
-  bool shadowless;  ///< some material casts no shadow
+  bool shadowless;   ///< some material casts no shadow
+  bool transparent;  ///< some material has a k2
   /// Textures say of some material what it lets through, or bend its normals: shadow rays have to
   /// ask them, too.
   bool textured_passing;

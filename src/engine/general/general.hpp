@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "engine/engine.hpp"
@@ -139,6 +140,24 @@ struct Waiting {
   V3<R> radiance;
 };
 
+/// A shadow ray on its way through what it may pass.
+template <class R>
+struct Walk {
+  V3<R> origin;
+  std::size_t entry;    ///< among those that wait
+  double left, walked;  ///< how far to the light, and from the hit
+};
+
+/// What a walk remembers of its way, where that matters.
+struct WalkHistory {
+  Inside inside;
+  std::vector<std::uint64_t> passed;  ///< that have taken their share, and triangles in front of it
+  // Where there are cuts.
+  V3<double> start, direction;
+  bool sees_cuts = false;  ///< those for the eye only, too: it comes from a cap of such a one
+  std::vector<std::pair<std::uint64_t, double>> entered;  ///< bodies, and how far from the hit
+};
+
 /// One thread's memory beside its Workspace.
 template <class R>
 struct GeneralWorkspace {
@@ -151,6 +170,9 @@ struct GeneralWorkspace {
   std::size_t waiting = 0;            ///< shadow rays
   std::vector<Waiting<R>> of_waiting;  ///< of a light's
   std::vector<V3<R>> filter;           ///< what shadows leave of each that waits
+  std::vector<Walk<R>> walks;
+  std::vector<WalkHistory> histories;     ///< of walks; as many as there have ever been at a time
+  std::vector<std::int32_t> hit_of_walk;  ///< of a batch of walks; -1: none
   /// Rays on their way through what is transparent, and what they hit there.
   Level<R> through;
   Scratch<R> through_scratch;

@@ -33,7 +33,8 @@ bool may_be_passed(const Batch<R>& batch) {
 /// and what is cut away.
 template <class R>
 bool may_go_on(const Batch<R>& batch) {
-  return may_be_passed(batch) || batch.optics().shadowless || batch.optics().cut_count > 0;
+  return (may_be_passed(batch) && batch.optics().transparent) || batch.optics().shadowless ||
+         batch.optics().cut_count > 0;
 }
 
 /// As many samples as a ray's weight in the pixel is worth: what counts little may be noisier.
