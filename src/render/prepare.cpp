@@ -106,6 +106,7 @@ void finish(PreparedScene<R>& prepared, const RenderOptions& options) {
     store.groups[i] = store.group_stores[i]->scene;
   }
   add_hierarchy(store, prepared.hierarchy, options);
+  add_opaque_scene(store, options.shadows == Shadows::transparent);
 }
 
 /// Whether what is asked for is beyond the lean engine, whatever the scene's optics.

@@ -128,6 +128,9 @@ struct FrozenScene {
   ZRAKA_KINDS(ZRAKA_STORE)
 #undef ZRAKA_STORE
   Hierarchy hierarchy;
+  /// For shadow rays of the general engine: the same, where they go through all shapes that they may
+  /// pass. nullptr: there are none such, or they are parts of wholes.
+  const FrozenScene* opaque;
 };
 
 }  // namespace zraka

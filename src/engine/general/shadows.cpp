@@ -288,13 +288,58 @@ void find_blocked(const Batch<R>& batch) {
   batch.services.find_blocked(batch.scene, batch.general.waiting, batch.scratch);
 }
 
+namespace {
+
+/// Lets those wait no longer that are blocked.
+template <class R>
+void drop_blocked(const Batch<R>& batch) {
+  GeneralWorkspace<R>& general = batch.general;
+  Scratch<R>& scratch = batch.scratch;
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < general.waiting; ++i) {
+    if (scratch.blocked[i] != 0) continue;
+    scratch.sdx[left] = scratch.sdx[i];
+    scratch.sdy[left] = scratch.sdy[i];
+    scratch.sdz[left] = scratch.sdz[i];
+    scratch.sdistance[left] = scratch.sdistance[i];
+    scratch.shadow_ray_hit[left] = scratch.shadow_ray_hit[i];
+    general.of_waiting[left] = general.of_waiting[i];
+    ++left;
+  }
+  general.waiting = left;
+  general.of_waiting.resize(left);
+  general.filter.resize(left);
+}
+
+/// Whether all that light may pass on its way leaves all of it.
+template <class R>
+bool passes_whole(const Batch<R>& batch) {
+  return !(may_be_passed(batch) && batch.optics().transparent) && !batch.optics().absorbing;
+}
+
+}  // namespace
+
 template <class R>
 void trace_waiting(const Batch<R>& batch) {
   GeneralWorkspace<R>& general = batch.general;
   const Scratch<R>& scratch = batch.scratch;
   general.filter.assign(general.waiting, V3<R>{R(1), R(1), R(1)});
   if (general.waiting == 0 || !batch.settings.terms.shadows) return;
-  find_blocked(batch);
+  batch.counts.shadow += general.waiting;
+  // Opaque shapes first: for what they block, and where nothing else takes any light, the way is
+  // not followed. Only who explains wants to know all of it; what it comes to is the same.
+  const FrozenScene<R>* const opaque =
+      batch.optics().cut_count > 0 ? nullptr : batch.scene.opaque;
+  const bool listens = general.listener != nullptr;
+  if (opaque != nullptr) {
+    batch.services.find_blocked(*opaque, general.waiting, batch.scratch);
+    if (listens)
+      general.by_opaque.assign(scratch.blocked, scratch.blocked + general.waiting);
+    else
+      drop_blocked(batch);
+    if (!listens && passes_whole(batch)) return;
+  }
+  batch.services.find_blocked(batch.scene, general.waiting, batch.scratch);
   general.walks.clear();
   for (std::size_t entry = 0; entry < general.waiting; ++entry) {
     if (scratch.blocked[entry] == 0 && !starts_in_absorber(batch, entry)) continue;
@@ -306,6 +351,12 @@ void trace_waiting(const Batch<R>& batch) {
     start_walk(batch, entry);
   }
   walk_through(batch);
+  if (opaque == nullptr || !listens) return;
+  for (std::size_t entry = 0; entry < general.waiting; ++entry)
+    if (general.by_opaque[entry] != 0)
+      general.filter[entry] = {R(0), R(0), R(0)};
+    else if (passes_whole(batch))
+      general.filter[entry] = {R(1), R(1), R(1)};
 }
 
 #define ZRAKA_FOR(R)                                  \
