@@ -7,7 +7,7 @@ library=$1
 status=0
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-for object in kernel.cpp.o:4 services.cpp.o:4 record_kernel.cpp.o:1; do
+for object in kernel.cpp.o:4 services.cpp.o:4 shading.cpp.o:4 record_kernel.cpp.o:1; do
   wanted=${object#*:} object=${object%:*}
   members=$(ar t "$library" | grep -c "^$object\$")
   [ "$members" = "$wanted" ] || { echo "$members $object in $library: expected $wanted"; status=1; }

@@ -177,6 +177,19 @@ struct SampleKeys {
   const std::uint32_t *shuffle, *u, *v, *number;
 };
 
+/// What arrives at hits from a light that is no surface, a number each; directions to it stand in
+/// Scratch::lx, ly and lz.
+struct ArrivingLight {
+  double *distance, *strength;
+  double* l_n;     ///< L·N
+  double* cosine;  ///< of a spot: between its axis and the way from it
+};
+
+/// No highlight: (1 - x)·n is so large that x^n is below 2^-40, for ln x ≤ x - 1.
+inline constexpr double kNoHighlight = 27.73;
+/// In place of a highlight: R·V or N·H is below 0; or it is to be asked for by itself.
+inline constexpr double kFacesAway = -1, kUnknownHighlight = -2;
+
 /// What is asked of an instruction set beside whole tiles.
 template <class R>
 struct Services {
@@ -188,6 +201,11 @@ struct Services {
   /// `first` on. To the directions of shadow rays from number `at` on.
   void (*make_hemisphere)(const Sobol2& points, std::uint32_t first, std::size_t count,
                           const V3<R>& normal, std::size_t at, Scratch<R>& scratch);
+  /// Of n hits, what arrives from a light that is no surface.
+  void (*find_arriving)(const OpticalLight& light, std::size_t n, Scratch<R>& scratch,
+                        const ArrivingLight& arriving);
+  /// Of the first n shadow rays, (R·V)^n or (N·H)^n at their hits.
+  void (*find_highlights)(std::size_t n, const Scratch<R>& scratch, double* highlights);
   /// Rays from the eye through n places in the picture, which stand where their directions will,
   /// columns in x and rows in y. With a filter these are pixels' places, and are moved to those of
   /// samples.

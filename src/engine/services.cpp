@@ -3,6 +3,7 @@
 // engine/kernel.cpp.
 #include "engine/hemisphere.hpp"
 #include "engine/hits.hpp"
+#include "engine/shading.hpp"
 #include "engine/shadow_order.hpp"
 #include "engine/window_rays.hpp"
 
@@ -31,6 +32,8 @@ void make_rays(const FrozenCamera<Lanes::Real>& camera, const InverseFilter* fil
 
 extern const Services<Lanes::Real> kServices;
 const Services<Lanes::Real> kServices = {find_hits, find_blocked_in_order<Lanes>,
-                                         make_hemisphere<Lanes::Real>, make_rays};
+                                         make_hemisphere<Lanes::Real>,
+                                         find_arriving<Lanes>,
+                                         find_highlights<Lanes>, make_rays};
 
 }  // namespace zraka::ZRAKA_ISA

@@ -22,6 +22,10 @@ GeneralMemory<R>::GeneralMemory(std::int32_t batch, std::int32_t shadow_rays,
   workspace_.shadow_room = static_cast<std::size_t>(shadow_rays);
   workspace_.of_waiting.reserve(workspace_.shadow_room);
   workspace_.filter.reserve(workspace_.shadow_room);
+  workspace_.highlight.resize(workspace_.shadow_room + kArrayPadding);
+  for (std::vector<double>* of_hits : {&workspace_.distance, &workspace_.strength, &workspace_.l_n,
+                                       &workspace_.cosine})
+    of_hits->resize(size + kArrayPadding);
 }
 
 template class GeneralMemory<float>;

@@ -38,6 +38,7 @@ struct OpticalLight {
   V3<double> edge_u, edge_v;           ///< rectangle; disc: two radii at right angles
   double radius;                       ///< sphere
   int samples;                         ///< 1 for those that are no surfaces
+  bool linear_edge_counts() const { return linear_edge && outer > inner; }
 };
 
 struct OpticalSky {

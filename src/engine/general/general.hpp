@@ -90,7 +90,14 @@ struct HitState {
   bool refracts, total, reflected_cut, refracted_cut, split;
 };
 
-/// One light's effect on a hit, all samples together.
+/// One light's terms at a hit, the sums over its samples.
+template <class R>
+struct LightTerms {
+  V3<R> diffuse, specular;
+  std::int32_t samples;
+};
+
+/// For explanations: one light's effect on a hit, all samples together.
 template <class R>
 struct LightSum {
   V3<R> diffuse, specular;
@@ -163,7 +170,10 @@ template <class R>
 struct GeneralWorkspace {
   std::vector<std::vector<RayState<R>>> rays;  ///< by level
   std::vector<std::vector<HitState<R>>> hits;
-  std::vector<LightSum<R>> sums;
+  std::vector<LightTerms<R>> lit;
+  std::vector<LightSum<R>> sums;  ///< where somebody listens
+  /// What ArrivingLight points to, and by shadow ray what is in the light's direction.
+  std::vector<double> distance, strength, l_n, cosine, highlight;
   std::vector<V3<R>> occlusion;
   std::vector<std::int32_t> samples;  ///< of occlusion, by hit
   std::vector<std::int32_t> caps;     ///< HitState::cap while hits are found

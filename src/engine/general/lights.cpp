@@ -76,7 +76,7 @@ Arriving arriving(const OpticalLight& light, const V3<double>& point, const Poin
 
 /// cosine^n; what is below 2^-40 is nothing: ln x ≤ x - 1.
 double highlight_of(double cosine, double shininess) {
-  if ((1 - cosine) * shininess > 27.73) return 0;
+  if ((1 - cosine) * shininess > kNoHighlight) return 0;
   return elementary::pow(std::fmin(cosine, 1.0), shininess);
 }
 
@@ -92,73 +92,137 @@ double highlight_cosine(const Batch<R>& batch, std::size_t h, const V3<double>& 
 }
 
 /// Whether light from there adds anything, if it arrives: clear glass shines where it mirrors the
-/// light, and nowhere else.
+/// light, and nowhere else. The direction is in the engine's own numbers, as for highlights later.
 template <class R>
-bool counts(const Batch<R>& batch, std::size_t h, const V3<double>& to_light, double l_n) {
+bool counts(const Batch<R>& batch, std::size_t h, const V3<R>& own, double l_n) {
   const R* const row = batch.row(h);
   const auto is_dark = [&](int column) {
     return row[column] == R(0) && row[column + 1] == R(0) && row[column + 2] == R(0);
   };
   if (batch.settings.terms.diffuse && !is_dark(kDiffuse) && l_n > 0) return true;
   if (!batch.settings.terms.specular || is_dark(kSpecular)) return false;
-  // As it is computed later, from the direction in the engine's own numbers.
-  const V3<R> own = narrowed<R>(to_light);
   const double cosine = highlight_cosine(
       batch, h,
       {static_cast<double>(own.x), static_cast<double>(own.y), static_cast<double>(own.z)});
   return cosine >= 0 && highlight_of(cosine, static_cast<double>(row[kShininess])) > 0;
 }
 
+/// The highlights of all that wait: general.highlight, kFacesAway where there is none.
+template <class R>
+void find_highlights(const Batch<R>& batch) {
+  GeneralWorkspace<R>& general = batch.general;
+  const Scratch<R>& scratch = batch.scratch;
+  const auto shines = [&](std::size_t i) {
+    const R* const row = batch.row(static_cast<std::size_t>(scratch.shadow_ray_hit[i]));
+    return row[kSpecular] != R(0) || row[kSpecular + 1] != R(0) || row[kSpecular + 2] != R(0);
+  };
+  bool any = false;
+  for (std::size_t i = 0; i < general.waiting && !any; ++i) any = shines(i);
+  if (!any) return;
+  batch.services.find_highlights(general.waiting, scratch, general.highlight.data());
+  for (std::size_t i = 0; i < general.waiting; ++i) {
+    if (general.highlight[i] != kUnknownHighlight || !shines(i)) continue;
+    const auto h = static_cast<std::size_t>(scratch.shadow_ray_hit[i]);
+    general.highlight[i] =
+        highlight_of(highlight_cosine(batch, h, three(scratch.sdx, scratch.sdy, scratch.sdz, i)),
+                     static_cast<double>(batch.row(h)[kShininess]));
+  }
+}
+
+/// Who explains wants to know of a light's first sample what shadows leave of it, and how it shines.
+template <class R>
+void tell_first_sample(const Batch<R>& batch, std::size_t i) {
+  const Scratch<R>& scratch = batch.scratch;
+  const auto h = static_cast<std::size_t>(scratch.shadow_ray_hit[i]);
+  LightSum<R>& sum = batch.general.sums[h];
+  const V3<R>& filter = batch.general.filter[i];
+  if (!is_zero(filter)) ++sum.lit;
+  if (batch.general.of_waiting[i].sample != 0) return;
+  sum.filter = filter;
+  const R* const row = batch.row(h);
+  const V3<R> ks{row[kSpecular], row[kSpecular + 1], row[kSpecular + 2]};
+  if (is_zero(filter) || !batch.settings.terms.specular || is_zero(ks)) return;
+  sum.cosine = highlight_cosine(batch, h, three(scratch.sdx, scratch.sdy, scratch.sdz, i));
+  if (sum.cosine >= 0) sum.highlight = batch.general.highlight[i];
+}
+
 /// Adds what has arrived of one light to the sums of its hits.
 template <class R>
 void settle_light(const Batch<R>& batch) {
-  trace_waiting(batch);
+  const Terms& terms = batch.settings.terms;
   GeneralWorkspace<R>& general = batch.general;
-  const Scratch<R>& scratch = batch.scratch;
+  trace_waiting(batch);
+  if (terms.specular) find_highlights(batch);
   for (std::size_t i = 0; i < general.waiting; ++i) {
-    const Waiting<R>& one = general.of_waiting[i];
-    const auto h = static_cast<std::size_t>(scratch.shadow_ray_hit[i]);
-    LightSum<R>& sum = general.sums[h];
+    if (general.listener != nullptr) tell_first_sample(batch, i);
     const V3<R>& filter = general.filter[i];
-    if (one.sample == 0) sum.filter = filter;
     if (is_zero(filter)) continue;
-    ++sum.lit;
+    const Waiting<R>& one = general.of_waiting[i];
+    const auto h = static_cast<std::size_t>(batch.scratch.shadow_ray_hit[i]);
+    LightTerms<R>& sum = general.lit[h];
     const V3<R> radiance = one.radiance * filter;
     const R* const row = batch.row(h);
-    if (batch.settings.terms.diffuse)
+    if (terms.diffuse)
       sum.diffuse = sum.diffuse + radiance * V3<R>{row[kDiffuse], row[kDiffuse + 1], row[kDiffuse + 2]} *
                                       one.l_n;
     const V3<R> ks{row[kSpecular], row[kSpecular + 1], row[kSpecular + 2]};
-    if (!batch.settings.terms.specular || is_zero(ks)) continue;
-    const double cosine =
-        highlight_cosine(batch, h, three(scratch.sdx, scratch.sdy, scratch.sdz, i));
-    if (!(cosine >= 0)) {
-      if (one.sample == 0) sum.cosine = cosine;
-      continue;
-    }
-    const double highlight = highlight_of(cosine, static_cast<double>(row[kShininess]));
-    if (one.sample == 0) sum.cosine = cosine, sum.highlight = highlight;
-    sum.specular = sum.specular + radiance * ks * static_cast<R>(highlight);
+    if (!terms.specular || is_zero(ks) || general.highlight[i] == kFacesAway) continue;
+    sum.specular = sum.specular + radiance * ks * static_cast<R>(general.highlight[i]);
   }
   general.waiting = 0;
   general.of_waiting.clear();
 }
 
-/// All samples of one light at all hits.
+/// Lets a sample's shadow ray wait; its direction is in the engine's own numbers.
 template <class R>
-void add_light(const Batch<R>& batch, std::int32_t index) {
+void add_waiting(const Batch<R>& batch, std::size_t h, const V3<R>& to_light, double distance,
+                 const Waiting<R>& one) {
+  GeneralWorkspace<R>& general = batch.general;
+  Scratch<R>& scratch = batch.scratch;
+  const std::size_t i = general.waiting++;
+  scratch.sdx[i] = to_light.x, scratch.sdy[i] = to_light.y, scratch.sdz[i] = to_light.z;
+  scratch.sdistance[i] = static_cast<R>(std::fmin(distance, kFarthest));
+  scratch.shadow_ray_hit[i] = static_cast<std::int32_t>(h);
+  general.of_waiting.push_back(one);
+  if (general.waiting == general.shadow_room) settle_light(batch);
+}
+
+/// The only sample of a light that is no surface, at all hits together.
+template <class R>
+void add_single_sample(const Batch<R>& batch, std::int32_t index) {
   const OpticalLight& light = batch.optics().lights[index];
   const V3<R>& color = batch.scene.lights[index].color;
   GeneralWorkspace<R>& general = batch.general;
-  Scratch<R>& scratch = batch.scratch;
-  general.sums.assign(batch.hit_count(), LightSum<R>{});
+  const Scratch<R>& scratch = batch.scratch;
+  batch.services.find_arriving(
+      light, batch.hit_count(), batch.scratch,
+      {general.distance.data(), general.strength.data(), general.l_n.data(), general.cosine.data()});
+  const bool has_edge = light.kind == LightKind::spot && light.linear_edge_counts();
+  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+    general.lit[h].samples = 1;
+    const double l_n = general.l_n[h];
+    if (!(l_n >= 0)) continue;
+    if (has_edge) general.strength[h] *= linear_edge(light, general.cosine[h]);
+    const V3<R> radiance = color * static_cast<R>(general.strength[h]);
+    const V3<R> to_light{scratch.lx[h], scratch.ly[h], scratch.lz[h]};
+    if (!is_zero(radiance) && counts(batch, h, to_light, l_n))
+      add_waiting(batch, h, to_light, general.distance[h], {0, static_cast<R>(l_n), radiance});
+  }
+}
+
+/// All samples of a light, hit by hit.
+template <class R>
+void add_samples(const Batch<R>& batch, std::int32_t index) {
+  const OpticalLight& light = batch.optics().lights[index];
+  const V3<R>& color = batch.scene.lights[index].color;
+  GeneralWorkspace<R>& general = batch.general;
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     const RayState<R>& ray = batch.ray_of(h);
     const V3<double> point = batch.point(h), normal = batch.normal(h);
     const bool is_surface = light.kind >= LightKind::rectangle;
     const Sobol2 points(
         is_surface ? hash(ray.key, static_cast<std::uint32_t>(index), 0x11u) : 0u);
-    const std::int32_t samples = general.sums[h].samples = samples_for(light.samples, ray);
+    const std::int32_t samples = general.lit[h].samples = samples_for(light.samples, ray);
     for (std::int32_t s = 0; s < samples; ++s) {
       const Point2 at = is_surface
                             ? points[ray.sample * static_cast<std::uint32_t>(light.samples) +
@@ -167,36 +231,46 @@ void add_light(const Batch<R>& batch, std::int32_t index) {
       const Arriving arrives = arriving(light, point, at);
       const double l_n = dot(arrives.to_light, normal);
       const V3<R> radiance = color * static_cast<R>(arrives.strength);
-      LightSum<R>& sum = general.sums[h];
-      if (s == 0)
-        sum.to_light = arrives.to_light, sum.distance = arrives.distance, sum.l_n = l_n,
-        sum.radiance = radiance;
-      if (!(l_n >= 0)) continue;
-      ++sum.facing;
-      if (is_zero(radiance)) continue;
+      if (general.listener != nullptr) {
+        LightSum<R>& sum = general.sums[h];
+        if (s == 0)
+          sum.to_light = arrives.to_light, sum.distance = arrives.distance, sum.l_n = l_n,
+          sum.radiance = radiance;
+        if (l_n >= 0) ++sum.facing;
+      }
+      if (!(l_n >= 0) || is_zero(radiance)) continue;
+      const V3<R> to_light = narrowed<R>(arrives.to_light);
       // Whoever explains wants to know of all of them.
-      if (general.listener == nullptr && !counts(batch, h, arrives.to_light, l_n)) continue;
-      const std::size_t i = general.waiting++;
-      scratch.sdx[i] = static_cast<R>(arrives.to_light.x);
-      scratch.sdy[i] = static_cast<R>(arrives.to_light.y);
-      scratch.sdz[i] = static_cast<R>(arrives.to_light.z);
-      scratch.sdistance[i] = static_cast<R>(std::fmin(arrives.distance, kFarthest));
-      scratch.shadow_ray_hit[i] = static_cast<std::int32_t>(h);
-      general.of_waiting.push_back({s, static_cast<R>(l_n), radiance});
-      if (general.waiting == general.shadow_room) settle_light(batch);
+      if (general.listener != nullptr || counts(batch, h, to_light, l_n))
+        add_waiting(batch, h, to_light, arrives.distance, {s, static_cast<R>(l_n), radiance});
     }
   }
+}
+
+/// Adds one light to the local light of all hits.
+template <class R>
+void add_light(const Batch<R>& batch, std::int32_t index) {
+  GeneralWorkspace<R>& general = batch.general;
+  Listener<R>* const listener = general.listener;
+  general.lit.assign(batch.hit_count(), LightTerms<R>{});
+  if (listener != nullptr) general.sums.assign(batch.hit_count(), LightSum<R>{});
+  if (listener == nullptr && batch.optics().lights[index].kind < LightKind::rectangle)
+    add_single_sample(batch, index);
+  else
+    add_samples(batch, index);
   settle_light(batch);
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
-    LightSum<R>& sum = general.sums[h];
+    LightTerms<R>& sum = general.lit[h];
     const R mean = R(1) / static_cast<R>(sum.samples);
     if (sum.samples > 1) sum.diffuse = sum.diffuse * mean, sum.specular = sum.specular * mean;
     HitArrays<R>& hits = batch.level.hits;
     const V3<R> local = V3<R>{hits.r[h], hits.g[h], hits.b[h]} + sum.diffuse + sum.specular;
     hits.r[h] = local.x, hits.g[h] = local.y, hits.b[h] = local.z;
+    if (listener == nullptr) continue;
+    LightSum<R>& told = general.sums[h];
+    told.diffuse = sum.diffuse, told.specular = sum.specular, told.samples = sum.samples;
   }
-  if (general.listener != nullptr)
-    general.listener->at_light(index, batch.level, general.sums.data());
+  if (listener != nullptr) listener->at_light(index, batch.level, general.sums.data());
 }
 
 }  // namespace
