@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "accel/body_surface.hpp"
 #include "scene/bounds_of.hpp"
@@ -26,25 +27,35 @@ V3<double> three(const R* x, const R* y, const R* z, std::size_t i) {
 /// What is known of a hit besides what light needs: in the frame of the group that its shape
 /// stands in.
 struct Found {
-  BodySurface surface;        ///< its tangents in that frame
-  V3<double> point;           ///< in that frame
+  BodySurface surface{};      ///< its tangents in that frame
+  V3<double> point{};         ///< in that frame
   std::int32_t transform = 0;  ///< Object::transform
   double curvature = 0;
+};
+
+/// What of it somebody wants to know, beside the transform.
+struct Wanted {
+  bool surface, curvature, footprint;
 };
 
 /// The tables of one kind of primitive: where in it a slot is, and what it is there.
 template <class R, class Shape>
 bool find_primitive(const FrozenScene<R>& scene, const FrozenTextures& textures,
-                    const FrozenShapes<R, Shape>& shapes, std::int32_t slot, Found& found) {
+                    const FrozenShapes<R, Shape>& shapes, std::int32_t slot, const Wanted& wanted,
+                    Found& found) {
   const std::int32_t at = slot - shapes.first_slot;
   if (at < 0 || at >= shapes.count) return false;
   const std::int32_t index = shapes.id[at] - shapes.first_id;
+  const FrozenMapping& mapping = shapes.mapping;
+  if (mapping.transform != nullptr) found.transform = mapping.transform[index];
+  if (!wanted.surface && !wanted.curvature) return true;
   double numbers[ShapeTraits<Shape>::kReals];
   for (int k = 0; k < ShapeTraits<Shape>::kReals; ++k)
     numbers[k] = static_cast<double>(shapes.column[k][at]);
+  const Shape* const kind = nullptr;
+  found.curvature = curvature_of(kind, numbers);
+  if (!wanted.surface) return true;
   UvContext context;
-  const FrozenMapping& mapping = shapes.mapping;
-  if (mapping.transform != nullptr) found.transform = mapping.transform[index];
   if (found.transform != 0) {
     const Transform& t = textures.to_shape[found.transform - 1];
     const double scale = 1 / scene.frame_scale;
@@ -57,25 +68,24 @@ bool find_primitive(const FrozenScene<R>& scene, const FrozenTextures& textures,
   const WholeTriangle* const whole = std::lower_bound(
       mapping.wholes, end, index, [](const WholeTriangle& t, std::int32_t i) { return t.index < i; });
   if (whole != end && whole->index == index) context.whole_corners = whole->corners;
-  const Shape* const kind = nullptr;
   found.surface = uv_of(kind, numbers, found.point, context);
-  found.curvature = curvature_of(kind, numbers);
   return true;
 }
 
 template <class R>
 Found find_on_shape(const FrozenScene<R>& scene, const FrozenTextures& textures,
-                    const HitPath& path, const V3<double>& point) {
+                    const HitPath& path, const V3<double>& point, const Wanted& wanted) {
   Found found;
   found.point = point;
 #define ZRAKA_FIND(Type, plural) \
-  if (find_primitive(scene, textures, scene.plural, path.slot, found)) return found;
+  if (find_primitive(scene, textures, scene.plural, path.slot, wanted, found)) return found;
   ZRAKA_INLINED_KINDS(ZRAKA_FIND)
 #undef ZRAKA_FIND
+  found.transform = scene.bodies.transform[path.body];
+  if (!wanted.surface && !wanted.curvature) return found;
   const OnBody on = isa_oracle::on_body(scene.bodies, path.body, point);
   found.surface = on.surface;
   found.curvature = on.curvature;
-  found.transform = scene.bodies.transform[path.body];
   return found;
 }
 
@@ -103,30 +113,58 @@ struct UvGradients {
   }
 };
 
+/// The way from the engine's frame to the spaces of shapes, which is mostly that of the hit before.
 template <class R>
-Seen look(const FrozenScene<R>& scene, const HitPath& path, const V3<double>& point,
-          const V3<double>& normal, const V3<double>& view, double width) {
-  const auto* const group = static_cast<const FrozenScene<R>*>(path.group);
-  const FrozenScene<R>& home = group == nullptr ? scene : *group;
-  const Transform from_group = map_of(path.to_frame);
-  const Transform to_group = group == nullptr ? Transform() : inverse(from_group).value_or(Transform());
-  const Vec3 at = moved(vec3_of(point), to_group);
-  const Found found = find_on_shape(home, *scene.textures, path, vector_of(at));
+class Ways {
+ public:
+  explicit Ways(const FrozenScene<R>& scene) : scene_(scene) { start(nullptr); }
 
-  Seen seen;
-  const double scale = 1 / home.frame_scale;
-  const Transform to_space{{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}, home.frame_center};
-  seen.to_shape = then(to_group, to_space);
-  if (found.transform != 0)
-    seen.to_shape = then(seen.to_shape, scene.textures->to_shape[found.transform - 1]);
-  seen.along_u = vector_of(turned(vec3_of(found.surface.along_u), from_group));
-  seen.along_v = vector_of(turned(vec3_of(found.surface.along_v), from_group));
+  /// To the group that a hit's shape stands in.
+  void follow(const HitPath& path) {
+    if (path.group == group_ &&
+        (group_ == nullptr || std::memcmp(path.to_frame, to_frame_, sizeof(to_frame_)) == 0))
+      return;
+    group_ = path.group;
+    std::copy_n(path.to_frame, 12, to_frame_);
+    start(static_cast<const FrozenScene<R>*>(path.group));
+  }
+  const FrozenScene<R>& home() const { return *home_; }
+  const Transform& from_group() const { return from_group_; }
+  const Transform& to_group() const { return to_group_; }
+  /// Of its unit.
+  double group_scale() const { return group_scale_; }
+  /// By Object::transform, to the shape's space.
+  const Transform& to_shape(std::int32_t transform) {
+    if (transform == transform_) return to_shape_;
+    transform_ = transform;
+    const double scale = 1 / home_->frame_scale;
+    const Transform to_space{{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}, home_->frame_center};
+    to_shape_ = then(to_group_, to_space);
+    if (transform != 0) to_shape_ = then(to_shape_, scene_.textures->to_shape[transform - 1]);
+    return to_shape_;
+  }
 
-  TexturePoint& to = seen.detail.at;
-  to.point = vector_of(moved(vec3_of(point), seen.to_shape));
-  to.u = found.surface.u, to.v = found.surface.v;
-  to.v_ends = found.surface.v_ends;
-  // A cone cuts the surface in an ellipse: as wide as it is across, longer where it comes flat.
+ private:
+  void start(const FrozenScene<R>* group) {
+    home_ = group == nullptr ? &scene_ : group;
+    from_group_ = group == nullptr ? Transform() : map_of(to_frame_);
+    to_group_ = group == nullptr ? Transform() : inverse(from_group_).value_or(Transform());
+    group_scale_ = length(vector_of(turned({1, 0, 0}, to_group_)));
+    transform_ = -1;
+  }
+
+  const FrozenScene<R>& scene_;
+  const FrozenScene<R>* home_;
+  const void* group_ = nullptr;
+  double to_frame_[12]{};
+  Transform from_group_, to_group_, to_shape_;
+  double group_scale_;
+  std::int32_t transform_;
+};
+
+/// A cone cuts the surface in an ellipse: as wide as it is across, longer where it comes flat.
+void find_footprint(const Seen& seen, const V3<double>& normal, const V3<double>& view,
+                    double width, TexturePoint& to) {
   const double facing = std::fmax(std::fabs(dot(view, normal)), 1e-6);
   const V3<double> slide = view - normal * dot(view, normal);
   const double slope = length(slide);
@@ -141,6 +179,26 @@ Seen look(const FrozenScene<R>& scene, const HitPath& path, const V3<double>& po
     to.footprint_u[i] = dot(slopes.u, axes[i]);
     to.footprint_v[i] = dot(slopes.v, axes[i]);
   }
+}
+
+template <class R>
+Seen look(Ways<R>& ways, const FrozenTextures& textures, const HitPath& path,
+          const V3<double>& point, const V3<double>& normal, const V3<double>& view, double width,
+          const Wanted& wanted) {
+  ways.follow(path);
+  const Vec3 at = moved(vec3_of(point), ways.to_group());
+  const Found found = find_on_shape(ways.home(), textures, path, vector_of(at), wanted);
+
+  Seen seen;
+  seen.to_shape = ways.to_shape(found.transform);
+  seen.along_u = vector_of(turned(vec3_of(found.surface.along_u), ways.from_group()));
+  seen.along_v = vector_of(turned(vec3_of(found.surface.along_v), ways.from_group()));
+
+  TexturePoint& to = seen.detail.at;
+  to.point = vector_of(moved(vec3_of(point), seen.to_shape));
+  to.u = found.surface.u, to.v = found.surface.v;
+  to.v_ends = found.surface.v_ends;
+  if (wanted.footprint) find_footprint(seen, normal, view, width, to);
   const V3<double> n_own = vector_of(turned(vec3_of(normal), seen.to_shape));
   seen.unit = 1 / length(n_own);
   const double reach = std::fmax(std::fabs(point.x), std::fmax(std::fabs(point.y), std::fabs(point.z)));
@@ -149,7 +207,7 @@ Seen look(const FrozenScene<R>& scene, const HitPath& path, const V3<double>& po
                        std::fmax(std::fabs(to.point.y), std::fabs(to.point.z))) *
                  0x1p-50;
   seen.detail.width = width;
-  seen.detail.curvature = found.curvature * length(vector_of(turned({1, 0, 0}, to_group)));
+  seen.detail.curvature = found.curvature * ways.group_scale();
   return seen;
 }
 
@@ -217,14 +275,17 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
   const FrozenTextures& textures = *scene.textures;
   const auto n = static_cast<std::size_t>(level.hit_count);
   const auto begin = static_cast<std::size_t>(level.done);
+  Ways<R> ways(scene);
   for (std::size_t h = 0; h < n; ++h) {
     const std::int32_t material = scratch.material[h];
     const R* const from = scene.materials + std::ptrdiff_t{material} * kMaterialReals;
     R* const row = scratch.own_rows + h * kMaterialReals;
     for (int k = 0; k < kMaterialReals; ++k) row[k] = from[k];
     const MaterialTextures& its = textures.of_material[material];
-    if (!its.any() && row[kReflection] == R(0) && row[kRefraction] == R(0)) {
-      scratch.details[h] = {};
+    const bool has_children =
+        its.of_children || row[kReflection] != R(0) || row[kRefraction] != R(0);
+    if (!its.any() && !has_children) {
+      scratch.details[h].width = scratch.details[h].curvature = 0;
       continue;
     }
     const auto ray = static_cast<std::size_t>(level.hits.ray[h]);
@@ -235,7 +296,9 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
     const double width = static_cast<double>(level.rays.width[begin + ray]) +
                          static_cast<double>(level.rays.spread[begin + ray]) *
                              static_cast<double>(scratch.t[ray]);
-    Seen seen = look(scene, scratch.paths[h], point, normal, view, width);
+    const Wanted wanted{its.sees_uv || scratch.explained, has_children || scratch.explained,
+                        its.sees_footprint || scratch.explained};
+    Seen seen = look(ways, textures, scratch.paths[h], point, normal, view, width, wanted);
     seen.detail.at.distance = (static_cast<double>(level.rays.travelled[begin + ray]) +
                                static_cast<double>(scratch.t[ray])) /
                               scene.frame_scale;

@@ -102,6 +102,8 @@ struct Scratch {
   std::int32_t* own_row;  ///< scene has no textures: 0, 1, 2…
   HitPath* paths;
   HitDetail* details;
+  /// Explanations read the details: all of them are found out, also what no texture asks for.
+  bool explained;
   R *smooth_x, *smooth_y, *smooth_z;  ///< normals before textures bend them, where recorded
   R *lx, *ly, *lz;  ///< unit direction to the light at hand
   R* lit;           ///< 1 where the light at hand reaches the hit, else 0

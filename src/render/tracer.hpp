@@ -27,6 +27,7 @@ struct TracerMemory {
                 .textured = scene.textures != nullptr,
                 // Rays leave bumps along the normal before it was bent.
                 .recorded = recorded || (scene.optics != nullptr && scene.textures != nullptr),
+                .explained = recorded,
                 .general = scene.optics != nullptr,
                 .shadow_rays = scene.optics == nullptr ? 0 : kWaitingShadowRays,
                 .children = scene.optics == nullptr ? 2 : general::most_children(settings)}) {

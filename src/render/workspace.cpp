@@ -33,6 +33,7 @@ void place_all(Layout& layout, Level<R>* levels, Workspace<R>& workspace,
                const WorkspaceNeeds& needs) {
   const auto batch = static_cast<std::size_t>(needs.batch);
   Scratch<R>& s = workspace.scratch;
+  s.explained = needs.explained;
   layout.place(batch, s.t, s.px, s.py, s.pz, s.nx, s.ny, s.nz, s.vx, s.vy, s.vz, s.offset, s.inside,
                s.lx, s.ly, s.lz, s.lit);
   const auto shadow_rays = static_cast<std::size_t>(std::max(needs.batch, needs.shadow_rays));

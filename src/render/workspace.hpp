@@ -14,6 +14,7 @@ struct WorkspaceNeeds {
   int max_depth = 0;
   bool textured = false;
   bool recorded = false;  ///< with what only explanations read
+  bool explained = false;  ///< Scratch::explained
   bool general = false;   ///< with what only the general engine uses
   std::int32_t shadow_rays = 0;  ///< at a time, if more than `batch`
   int children = 2;       ///< the most of one hit
@@ -25,7 +26,7 @@ class WorkspaceMemory {
  public:
   explicit WorkspaceMemory(const WorkspaceNeeds& needs);
   WorkspaceMemory(std::int32_t batch, int max_depth, bool textured, bool recorded = false)
-      : WorkspaceMemory(WorkspaceNeeds{batch, max_depth, textured, recorded}) {}
+      : WorkspaceMemory(WorkspaceNeeds{batch, max_depth, textured, recorded, recorded}) {}
 
   Workspace<R>& workspace() { return workspace_; }
 

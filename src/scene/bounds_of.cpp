@@ -5,31 +5,10 @@
 #include <cmath>
 
 namespace zraka {
-namespace {
-
-Vec3 sum(const Vec3& a, const Vec3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-Vec3 times(const Vec3& a, double s) {
-  return {a.x * s, a.y * s, a.z * s};
-}
-
-}  // namespace
 
 double least_stretch(const Transform& to_own) {
   const auto square = [](const Vec3& v) { return v.x * v.x + v.y * v.y + v.z * v.z; };
   return 1 / std::sqrt(square(to_own.along_x) + square(to_own.along_y) + square(to_own.along_z));
-}
-
-Vec3 turned(const Vec3& v, const Transform& t) {
-  return sum(sum(times(t.along_x, v.x), times(t.along_y, v.y)), times(t.along_z, v.z));
-}
-Vec3 moved(const Vec3& p, const Transform& t) {
-  return sum(turned(p, t), t.origin);
-}
-Transform then(const Transform& first, const Transform& second) {
-  return {turned(first.along_x, second), turned(first.along_y, second),
-          turned(first.along_z, second), moved(first.origin, second)};
 }
 
 std::optional<Transform> inverse(const Transform& t) {
@@ -51,7 +30,8 @@ std::optional<Transform> inverse(const Transform& t) {
                          {yz.z * scale, zx.z * scale, xy.z * scale},
                          {}};
   Transform all = linear;
-  all.origin = times(turned(t.origin, linear), -1);
+  const Vec3 back = turned(t.origin, linear);
+  all.origin = {back.x * -1, back.y * -1, back.z * -1};
   return all;
 }
 

@@ -12,10 +12,20 @@
 
 namespace zraka {
 
+inline Vec3 turned(const Vec3& v, const Transform& t) {
+  const Vec3 &x = t.along_x, &y = t.along_y, &z = t.along_z;
+  return {x.x * v.x + y.x * v.y + z.x * v.z, x.y * v.x + y.y * v.y + z.y * v.z,
+          x.z * v.x + y.z * v.y + z.z * v.z};
+}
+inline Vec3 moved(const Vec3& point, const Transform& t) {
+  const Vec3 v = turned(point, t);
+  return {v.x + t.origin.x, v.y + t.origin.y, v.z + t.origin.z};
+}
 /// first, then second.
-Transform then(const Transform& first, const Transform& second);
-Vec3 moved(const Vec3& point, const Transform& transform);
-Vec3 turned(const Vec3& vector, const Transform& transform);
+inline Transform then(const Transform& first, const Transform& second) {
+  return {turned(first.along_x, second), turned(first.along_y, second),
+          turned(first.along_z, second), moved(first.origin, second)};
+}
 /// None where it makes something flat of what is not.
 std::optional<Transform> inverse(const Transform& transform);
 /// Around the image of a box, or of the ellipsoid of these axes.

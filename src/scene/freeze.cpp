@@ -278,7 +278,20 @@ std::unique_ptr<StoredTextures> freeze_textures(const Scene& scene) {
   const TextureUse* uses = stored->uses.data();
   for (const Material& m : scene.materials) {
     const auto count = static_cast<std::int32_t>(m.textures.size());
-    stored->of_material.push_back({uses, count, m.normals});
+    const auto any_use = [&](const auto& test) {
+      return m.normals.kind != NormalUse::Kind::none || std::any_of(uses, uses + count, test);
+    };
+    const TextureSet& set = stored->set;
+    MaterialTextures its{uses, count, m.normals, false, false, false};
+    its.sees_uv = any_use(
+        [&](const TextureUse& use) { return set.mapping(use.texture) == TextureMapping::uv; });
+    its.sees_footprint =
+        any_use([&](const TextureUse& use) { return set.sees_footprint(use.texture); });
+    its.of_children = std::any_of(uses, uses + count, [](const TextureUse& use) {
+      return use.coefficient == Coefficient::reflection ||
+             use.coefficient == Coefficient::refraction;
+    });
+    stored->of_material.push_back(its);
     uses += count;
   }
   stored->frozen = {&stored->set, stored->of_material.data(), nullptr};

@@ -14,6 +14,9 @@ struct MaterialTextures {
   const TextureUse* uses;
   std::int32_t use_count;
   NormalUse normals;
+  bool sees_uv;         ///< some texture is laid over the surface, or bends its normals
+  bool sees_footprint;  ///< some texture is a mean over what a pixel sees
+  bool of_children;     ///< some texture says what is reflected or goes through
   bool any() const { return use_count > 0 || normals.kind != NormalUse::Kind::none; }
 };
 

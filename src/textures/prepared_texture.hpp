@@ -45,6 +45,7 @@ struct PreparedTexture {
   V3<double> least_step{};  ///< the same along the axes of what the texture lies in
   double error_scale = 0;   ///< how much the map lengthens a point's error
   bool keeps_v = false;     ///< the texture's v is the surface's
+  bool sees_footprint = true;
 };
 
 /// A place in a texture's space, and the footprint there.

@@ -88,6 +88,7 @@ PreparedTexture prepared(const Texture& from) {
   t.least_step = {least_step(t, {1, 0, 0}), least_step(t, {0, 1, 0}), least_step(t, {0, 0, 1})};
   for (const V3<double>& row : {t.into.x, t.into.y, t.into.z})
     t.error_scale = std::max(t.error_scale, std::sqrt(dot(row, row)));
+  t.sees_footprint = t.kind != TextureKind::image || t.filter == TextureFilter::mip;
   t.keeps_v = t.into.y.x == 0 && t.into.y.y == 1 && t.into.origin.y == 0;
   return t;
 }
@@ -110,6 +111,7 @@ void roll(const PreparedTexture& t, TexturePlace& place) {
   if (sphere) v = all > 0 ? 0.5 + elementary::asin(std::fmin(std::fmax(p.y / std::sqrt(all), -1.0), 1.0)) / kPi : 0.5;
   place.point = finite_point(repeated(t, u, v));
   place.away = std::sqrt(all);
+  if (!t.sees_footprint) return;
   for (V3<double>& axis : place.axes) {
     const double along_u =
         round > 0 ? (p.x * axis.z - p.z * axis.x) / (round * 2 * kPi) : kHuge;
@@ -126,12 +128,13 @@ TexturePlace place_of(const PreparedTexture& t, const TexturePoint& at) {
   place.distance = at.distance;
   if (t.mapping == TextureMapping::uv) {
     place.point = finite_point(t.into.point({at.u, at.v, 0}));
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; t.sees_footprint && i < 2; ++i)
       place.axes[i] = finite_axis(t.into.direction({at.footprint_u[i], at.footprint_v[i], 0}));
     place.v_ends = at.v_ends && t.keeps_v;
   } else {
     place.point = finite_point(t.into.point(at.point));
-    for (int i = 0; i < 2; ++i) place.axes[i] = finite_axis(t.into.direction(at.footprint[i]));
+    for (int i = 0; t.sees_footprint && i < 2; ++i)
+      place.axes[i] = finite_axis(t.into.direction(at.footprint[i]));
     place.error = at.error * t.error_scale;
     if (t.mapping == TextureMapping::cylinder || t.mapping == TextureMapping::sphere) roll(t, place);
   }

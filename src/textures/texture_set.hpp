@@ -27,6 +27,9 @@ class TextureSet {
   /// footprint, or across a small part of the texture's size where that is more.
   V3<double> slope(std::uint32_t texture, const TexturePoint& at) const;
 
+  /// Whether what it gives depends on the footprint.
+  bool sees_footprint(std::uint32_t texture) const { return textures_[texture].sees_footprint; }
+
   TextureMapping mapping(std::uint32_t texture) const { return textures_[texture].mapping; }
 
   /// Memory of the smaller images.

@@ -180,7 +180,6 @@ struct GeneralWorkspace {
   std::size_t waiting = 0;            ///< shadow rays
   std::vector<Waiting<R>> of_waiting;  ///< of a light's
   std::vector<V3<R>> filter;           ///< what shadows leave of each that waits
-  std::vector<std::int32_t> by_opaque;  ///< whether FrozenScene::opaque blocks it
   std::vector<Walk<R>> walks;
   std::vector<WalkHistory> histories;     ///< of walks; as many as there have ever been at a time
   std::vector<std::int32_t> hit_of_walk;  ///< of a batch of walks; -1: none

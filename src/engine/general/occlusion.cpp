@@ -13,7 +13,8 @@ template <class R>
 void settle(const Batch<R>& batch) {
   GeneralWorkspace<R>& general = batch.general;
   const Scratch<R>& scratch = batch.scratch;
-  if (may_go_on(batch)) {
+  const FrozenScene<R>* const deciding = deciding_scene(batch);
+  if (deciding == nullptr) {
     general.of_waiting.assign(general.waiting, Waiting<R>{});
     trace_waiting(batch);
     for (std::size_t i = 0; i < general.waiting; ++i) {
@@ -22,7 +23,8 @@ void settle(const Batch<R>& batch) {
     }
     general.of_waiting.clear();
   } else {
-    find_blocked(batch);
+    batch.counts.shadow += general.waiting;
+    batch.services.find_blocked(*deciding, general.waiting, batch.scratch);
     for (std::size_t i = 0; i < general.waiting; ++i) {
       V3<R>& sum = general.occlusion[static_cast<std::size_t>(scratch.shadow_ray_hit[i])];
       sum.x += static_cast<R>(1 - scratch.blocked[i]);
@@ -68,7 +70,7 @@ void find_occlusion(const Batch<R>& batch) {
   const V3<R> color = narrowed<R>(optics.occlusion_color);
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     V3<R>& sum = general.occlusion[h];
-    if (!may_go_on(batch)) sum = {sum.x, sum.x, sum.x};
+    if (deciding_scene(batch) != nullptr) sum = {sum.x, sum.x, sum.x};
     sum = sum * (R(1) / static_cast<R>(general.samples[h])) * color;
   }
 }

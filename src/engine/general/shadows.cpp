@@ -282,12 +282,6 @@ void find_shadow_origins(const Batch<R>& batch) {
   }
 }
 
-template <class R>
-void find_blocked(const Batch<R>& batch) {
-  batch.counts.shadow += batch.general.waiting;
-  batch.services.find_blocked(batch.scene, batch.general.waiting, batch.scratch);
-}
-
 namespace {
 
 /// Lets those wait no longer that are blocked.
@@ -311,10 +305,16 @@ void drop_blocked(const Batch<R>& batch) {
   general.filter.resize(left);
 }
 
-/// Whether all that light may pass on its way leaves all of it.
+/// Follows the ways of all that wait, and finds what is left of them: general.filter.
 template <class R>
-bool passes_whole(const Batch<R>& batch) {
-  return !(may_be_passed(batch) && batch.optics().transparent) && !batch.optics().absorbing;
+void follow_all(const Batch<R>& batch) {
+  GeneralWorkspace<R>& general = batch.general;
+  batch.services.find_blocked(batch.scene, general.waiting, batch.scratch);
+  general.walks.clear();
+  for (std::size_t entry = 0; entry < general.waiting; ++entry)
+    if (batch.scratch.blocked[entry] != 0 || starts_in_absorber(batch, entry))
+      start_walk(batch, entry);
+  walk_through(batch);
 }
 
 }  // namespace
@@ -326,42 +326,26 @@ void trace_waiting(const Batch<R>& batch) {
   general.filter.assign(general.waiting, V3<R>{R(1), R(1), R(1)});
   if (general.waiting == 0 || !batch.settings.terms.shadows) return;
   batch.counts.shadow += general.waiting;
-  // Opaque shapes first: for what they block, and where nothing else takes any light, the way is
-  // not followed. Only who explains wants to know all of it; what it comes to is the same.
-  const FrozenScene<R>* const opaque =
-      batch.optics().cut_count > 0 ? nullptr : batch.scene.opaque;
+  // Opaque shapes first: the way to what they block is not followed. Only who explains wants to know
+  // all of it; what is left of the light in the end is the same.
+  const FrozenScene<R>* const deciding = deciding_scene(batch);
+  const FrozenScene<R>* const first =
+      deciding != nullptr || batch.optics().cut_count > 0 ? deciding : batch.scene.opaque;
   const bool listens = general.listener != nullptr;
-  if (opaque != nullptr) {
-    batch.services.find_blocked(*opaque, general.waiting, batch.scratch);
-    if (listens)
-      general.by_opaque.assign(scratch.blocked, scratch.blocked + general.waiting);
-    else
-      drop_blocked(batch);
-    if (!listens && passes_whole(batch)) return;
-  }
-  batch.services.find_blocked(batch.scene, general.waiting, batch.scratch);
-  general.walks.clear();
-  for (std::size_t entry = 0; entry < general.waiting; ++entry) {
-    if (scratch.blocked[entry] == 0 && !starts_in_absorber(batch, entry)) continue;
-    if (!may_go_on(batch)) {
-      general.filter[entry] = {R(0), R(0), R(0)};
-      // Whoever explains wants to know what the light is blocked by.
-      if (general.listener == nullptr) continue;
-    }
-    start_walk(batch, entry);
-  }
-  walk_through(batch);
-  if (opaque == nullptr || !listens) return;
-  for (std::size_t entry = 0; entry < general.waiting; ++entry)
-    if (general.by_opaque[entry] != 0)
-      general.filter[entry] = {R(0), R(0), R(0)};
-    else if (passes_whole(batch))
-      general.filter[entry] = {R(1), R(1), R(1)};
+  if (listens) follow_all(batch);
+  if (first != nullptr) batch.services.find_blocked(*first, general.waiting, batch.scratch);
+  for (std::size_t i = 0; listens && first != nullptr && i < general.waiting; ++i)
+    if (scratch.blocked[i] != 0)
+      general.filter[i] = {R(0), R(0), R(0)};
+    else if (deciding != nullptr)
+      general.filter[i] = {R(1), R(1), R(1)};
+  if (listens) return;
+  if (first != nullptr) drop_blocked(batch);
+  if (deciding == nullptr) follow_all(batch);
 }
 
 #define ZRAKA_FOR(R)                                  \
   template void find_shadow_origins(const Batch<R>&); \
-  template void find_blocked(const Batch<R>&);        \
   template void trace_waiting(const Batch<R>&);
 ZRAKA_FOR(float)
 ZRAKA_FOR(double)

@@ -20,10 +20,6 @@ void find_shadow_origins(const Batch<R>& batch);
 template <class R>
 void trace_waiting(const Batch<R>& batch);
 
-/// Only whether anything is in their way: scratch.blocked.
-template <class R>
-void find_blocked(const Batch<R>& batch);
-
 template <class R>
 bool may_be_passed(const Batch<R>& batch) {
   return batch.settings.transparent_shadows;
@@ -35,6 +31,20 @@ template <class R>
 bool may_go_on(const Batch<R>& batch) {
   return (may_be_passed(batch) && batch.optics().transparent) || batch.optics().shadowless ||
          batch.optics().cut_count > 0;
+}
+
+/// Whether all that light may pass on its way leaves all of it.
+template <class R>
+bool passes_whole(const Batch<R>& batch) {
+  return !(may_be_passed(batch) && batch.optics().transparent) && !batch.optics().absorbing;
+}
+
+/// Where no way has to be followed: the scene whose shapes block a shadow ray if they hit it, and
+/// let all of it arrive if they don't. Else nullptr.
+template <class R>
+const FrozenScene<R>* deciding_scene(const Batch<R>& batch) {
+  if (!may_go_on(batch)) return &batch.scene;
+  return batch.optics().cut_count == 0 && passes_whole(batch) ? batch.scene.opaque : nullptr;
 }
 
 /// As many samples as a ray's weight in the pixel is worth: what counts little may be noisier.
