@@ -217,10 +217,15 @@ template <class R>
 void spawn(const Batch<R>& batch, Level<R>& next, RayState<R>* next_rays) {
   Spawner<R> spawner(batch, next, next_rays);
   Level<R>& level = batch.level;
+  const bool listens = batch.general.listener != nullptr;
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
-    spawn_at(batch, h, spawner, next);
     HitState<R>& hit = batch.hits[h];
     level.hits.reflected[h] = level.hits.refracted[h] = -1;
+    const OpticalMaterial& material = batch.material(h);
+    if (!listens && is_zero(reflection_of(material, batch.row(h))) &&
+        is_zero(refraction_of(material, batch.row(h))))
+      continue;
+    spawn_at(batch, h, spawner, next);
     for (std::int32_t c = hit.first_child; c < hit.first_child + hit.child_count; ++c)
       (next_rays[c].kind == RayKind::reflected ? level.hits.reflected : level.hits.refracted)[h] =
           c;

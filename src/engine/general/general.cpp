@@ -125,6 +125,14 @@ void pass_hidden_surfaces(const Batch<R>& batch) {
   drop_lost_hits(batch.level, batch.scratch, batch.general.caps);
 }
 
+/// All that the fold adds up. Zeroing the rest of a hit's state, which only listeners read, takes
+/// longer.
+template <class R>
+void forget_children(HitState<R>& hit) {
+  hit.missing = hit.beyond_reflected = hit.beyond_refracted = {R(0), R(0), R(0)};
+  hit.first_child = hit.child_count = 0;
+}
+
 /// Nearest hits, surfaces, and what rays come through; what hits nothing has the sky's colour.
 template <class R>
 void find_hits(const Batch<R>& batch) {
@@ -151,7 +159,9 @@ void find_hits(const Batch<R>& batch) {
   }
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     HitState<R>& hit = batch.hits[h];
-    hit = {};
+    if (batch.general.listener != nullptr) hit = {};
+    forget_children(hit);
+    hit.body = 0;
     if (wants_bodies)
       hit.body = body_of(batch.scene, batch.scratch.paths[h], batch.scratch.material[h]);
     hit.material = batch.scratch.material[h];

@@ -26,6 +26,12 @@ double smooth(double x) {
 
 /// From 1 at a spot's inner angle to 0 at its outer one.
 double linear_edge(const OpticalLight& light, double cosine) {
+  // Farther from both angles than roundings reach, the angle itself is not needed.
+  constexpr double kMargin = 1e-9, kHalfTurn = 3.14159265358979323846;
+  if (light.inner >= 0 && light.outer <= kHalfTurn) {
+    if (cosine > light.cos_inner + kMargin) return 1;
+    if (cosine < light.cos_outer - kMargin) return 0;
+  }
   const double angle =
       0.5 * 3.14159265358979323846 - elementary::asin(std::fmin(std::fmax(cosine, -1.0), 1.0));
   return std::fmin(std::fmax((light.outer - angle) / (light.outer - light.inner), 0.0), 1.0);
