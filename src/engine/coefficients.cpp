@@ -95,10 +95,10 @@ Transform map_of(const double (&m)[12]) {
 
 /// One hit: where it is for textures, and how its normal may be bent.
 struct Seen {
-  HitDetail detail;
+  HitDetail& detail;
   /// From the shape's space to the engine's frame: gradients there as they are here.
-  Transform to_shape;
-  V3<double> along_u, along_v;  ///< in the engine's frame
+  const Transform& to_shape;
+  V3<double> along_u{}, along_v{};  ///< in the engine's frame
   double unit = 1;              ///< of the shape's space, in the engine's frame
 };
 
@@ -184,17 +184,18 @@ void find_footprint(const Seen& seen, const V3<double>& normal, const V3<double>
 template <class R>
 Seen look(Ways<R>& ways, const FrozenTextures& textures, const HitPath& path,
           const V3<double>& point, const V3<double>& normal, const V3<double>& view, double width,
-          const Wanted& wanted) {
+          const Wanted& wanted, HitDetail& detail) {
   ways.follow(path);
   const Vec3 at = moved(vec3_of(point), ways.to_group());
   const Found found = find_on_shape(ways.home(), textures, path, vector_of(at), wanted);
 
-  Seen seen;
-  seen.to_shape = ways.to_shape(found.transform);
-  seen.along_u = vector_of(turned(vec3_of(found.surface.along_u), ways.from_group()));
-  seen.along_v = vector_of(turned(vec3_of(found.surface.along_v), ways.from_group()));
-
-  TexturePoint& to = seen.detail.at;
+  Seen seen{detail, ways.to_shape(found.transform)};
+  if (wanted.surface) {
+    seen.along_u = vector_of(turned(vec3_of(found.surface.along_u), ways.from_group()));
+    seen.along_v = vector_of(turned(vec3_of(found.surface.along_v), ways.from_group()));
+  }
+  detail = {};
+  TexturePoint& to = detail.at;
   to.point = vector_of(moved(vec3_of(point), seen.to_shape));
   to.u = found.surface.u, to.v = found.surface.v;
   to.v_ends = found.surface.v_ends;
@@ -298,11 +299,11 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
                              static_cast<double>(scratch.t[ray]);
     const Wanted wanted{its.sees_uv || scratch.explained, has_children || scratch.explained,
                         its.sees_footprint || scratch.explained};
-    Seen seen = look(ways, textures, scratch.paths[h], point, normal, view, width, wanted);
+    const Seen seen = look(ways, textures, scratch.paths[h], point, normal, view, width, wanted,
+                     scratch.details[h]);
     seen.detail.at.distance = (static_cast<double>(level.rays.travelled[begin + ray]) +
                                static_cast<double>(scratch.t[ray])) /
                               scene.frame_scale;
-    scratch.details[h] = seen.detail;
     for (std::int32_t i = 0; i < its.use_count; ++i)
       put(its.uses[i].coefficient, textures.set->value(its.uses[i].texture, seen.detail.at), row);
     if (its.normals.kind == NormalUse::Kind::none) continue;
