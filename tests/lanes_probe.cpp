@@ -8,6 +8,7 @@
 
 #include "accel/traverse.hpp"
 #include "engine/hits.hpp"
+#include "math/elementary_power.hpp"
 #include "math/power.hpp"
 #include "shapes/shapes.hpp"
 
@@ -40,6 +41,17 @@ void put(F value, float* out, std::size_t first, std::size_t count) {
 void power_of(const float* x, const float* n, float* out, std::size_t count) {
   for (std::size_t i = 0; i < count; i += L::kWidth)
     put(power(pick(x, 1, 0, i, count), pick(n, 1, 0, i, count)), out, i, count);
+}
+
+void double_power_of(const double* x, const double* y, double* out, std::size_t count) {
+  using D = DoublesOf<L>;
+  for (std::size_t first = 0; first < count; first += D::kWidth) {
+    double base[D::kWidth], exponent[D::kWidth], power[D::kWidth];
+    for (std::size_t i = 0; i < D::kWidth; ++i)
+      base[i] = x[std::min(first + i, count - 1)], exponent[i] = y[std::min(first + i, count - 1)];
+    D::store(elementary_power(D::load(base), D::load(exponent), typename D::F(-1)), power);
+    std::copy_n(power, std::min(D::kWidth, count - first), out + first);
+  }
 }
 
 void sphere(const float* origins, const float* directions, const float* spheres, float* t,
@@ -246,7 +258,8 @@ void surfaces(const FrozenScene<float>* floats, const FrozenScene<double>* doubl
 
 LanesProbe probe();
 LanesProbe probe() {
-  return {{}, L::kWidth, power_of, sphere, gather_four, wrong_pairs, stack_fits, trace, surfaces};
+  return {{},          L::kWidth,   power_of,   double_power_of, sphere,
+          gather_four, wrong_pairs, stack_fits, trace,           surfaces};
 }
 
 }  // namespace zraka::ZRAKA_ISA

@@ -32,6 +32,8 @@ struct LanesProbe {
   Isa isa;
   std::size_t width;
   void (*power)(const float* x, const float* n, float* out, std::size_t count);
+  /// elementary_power(), -1 in place of what it does not know.
+  void (*double_power)(const double* x, const double* y, double* out, std::size_t count);
   /// Rays of origin and direction (3 numbers each) against one sphere each (4 numbers); distances.
   void (*sphere)(const float* origins, const float* directions, const float* spheres, float* t,
                  std::size_t count);

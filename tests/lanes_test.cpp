@@ -8,6 +8,7 @@
 #include <random>
 
 #include "lanes_probe.hpp"
+#include "math/elementary.hpp"
 
 namespace zraka {
 namespace isa_avx512 {
@@ -82,6 +83,33 @@ TEST(Power, HasItsCornersRight) {
     probe.power(x, n, got, std::size(x));
     for (std::size_t i = 0; i < std::size(x); ++i)
       EXPECT_NEAR(got[i], want[i], 1e-6f) << x[i] << "^" << n[i] << " by " << name_of(probe.isa);
+  }
+}
+
+/// Of doubles from 0 to 1 it has the bits of elementary::pow(), and knows where it has not.
+TEST(Power, InLanesOfDoublesIsTheElementaryOne) {
+  std::vector<double> x = {1,   0x1.6a09e667f3bcdp-1, 0x1.6a09e667f3bccp-1, 0x1.6a09e667f3bcep-1,
+                           0.5, 0x1.6a09e667f3bcdp-9, 1 - 0x1p-53,          1e-200},
+                      y = {7, 3.5, 80, 1, 1, 10, 1e-20, 3};
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int i = 0; i < 100000; ++i) {
+    x.push_back(i % 2 == 0 ? unit(random) : 1 - std::pow(unit(random), 4) * 0.1);
+    y.push_back(std::pow(10, unit(random) * 7 - 2));
+  }
+  for (const LanesProbe& probe : lanes_probes()) {
+    std::vector<double> got(x.size());
+    probe.double_power(x.data(), y.data(), got.data(), got.size());
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      const double want = elementary::pow(x[i], y[i]);
+      if (got[i] == -1 && want < 1e-300) continue;
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(got[i]), std::bit_cast<std::uint64_t>(want))
+          << x[i] << "^" << y[i] << " by " << name_of(probe.isa);
+    }
+    const double odd_x[] = {0, -0.5, 1.5, 0.5, 0.5, std::nan("")}, odd_y[] = {2, 2, 2, 0, -1, 2};
+    double odd[std::size(odd_x)];
+    probe.double_power(odd_x, odd_y, odd, std::size(odd));
+    for (const double each : odd) EXPECT_EQ(each, -1) << name_of(probe.isa);
   }
 }
 

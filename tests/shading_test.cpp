@@ -143,7 +143,8 @@ Arrives arrives(const OpticalLight& light, const V3<double>& point) {
 }
 
 template <class R>
-void expect_arriving(const Services<R>& services, const OpticalLight& light, std::string_view name) {
+void expect_arriving(const Services<R>& services, const OpticalLight& light,
+                     std::string_view name) {
   Hits<R> hits;
   Scratch<R>& s = hits.scratch();
   std::vector<double> numbers(4 * (kCount + kArrayPadding));
