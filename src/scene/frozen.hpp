@@ -129,8 +129,9 @@ struct FrozenScene {
 #undef ZRAKA_STORE
   Hierarchy hierarchy;
   /// For shadow rays of the general engine: the same, where they go through all shapes that they may
-  /// pass. nullptr: there are none such, or they are parts of wholes.
-  const FrozenScene* opaque;
+  /// pass, and where they go through those that cast no shadow. nullptr: there are none such, or they
+  /// are parts of wholes.
+  const FrozenScene *opaque, *casting;
 };
 
 }  // namespace zraka

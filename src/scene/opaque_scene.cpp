@@ -7,9 +7,8 @@
 namespace zraka {
 namespace {
 
-bool may_be_passed(const OpticalMaterial& m, bool transparent) {
-  const bool lets_through = m.textured_k2 || m.k2.x != 0 || m.k2.y != 0 || m.k2.z != 0;
-  return !m.casts_shadow || (transparent && lets_through);
+bool is_transparent(const OpticalMaterial& m) {
+  return m.textured_k2 || m.k2.x != 0 || m.k2.y != 0 || m.k2.z != 0;
 }
 
 /// Whether any part of a whole may be passed, or a whole: what of it a ray meets is not asked for
@@ -17,7 +16,7 @@ bool may_be_passed(const OpticalMaterial& m, bool transparent) {
 template <class R>
 bool has_passable_whole(const FrozenStore<R>& store) {
   const auto passable = [&](std::int32_t m) {
-    return m >= 0 && store.shadowless[static_cast<std::size_t>(m)] != 0;
+    return m >= 0 && store.passable[static_cast<std::size_t>(m)] != 0;
   };
   const FrozenBodies& bodies = store.scene.bodies;
   for (std::size_t i = 0; i < store.bodies.material.size(); ++i) {
@@ -43,14 +42,20 @@ template <class R>
 void add_opaque_scene(FrozenStore<R>& store, bool transparent) {
   FrozenScene<R>& scene = store.scene;
   if (scene.optics == nullptr) return;
-  for (const OpticalMaterial& m : store.optics->materials)
-    store.shadowless.push_back(may_be_passed(m, transparent) ? 1 : 0);
-  const bool any = std::find(store.shadowless.begin(), store.shadowless.end(), 1) !=
-                   store.shadowless.end();
-  if (!any || has_passable_whole(store)) return;
-  store.opaque = scene;
-  store.opaque.shadowless = store.shadowless.data();
+  for (const OpticalMaterial& m : store.optics->materials) {
+    store.shadowless.push_back(m.casts_shadow ? 0 : 1);
+    store.passable.push_back(!m.casts_shadow || (transparent && is_transparent(m)) ? 1 : 0);
+  }
+  const auto has_any = [](const std::vector<std::uint8_t>& of_material) {
+    return std::find(of_material.begin(), of_material.end(), 1) != of_material.end();
+  };
+  if (!has_any(store.passable) || has_passable_whole(store)) return;
+  store.opaque = store.casting = scene;
+  store.opaque.shadowless = store.passable.data();
   scene.opaque = &store.opaque;
+  if (!has_any(store.shadowless)) return;
+  store.casting.shadowless = store.shadowless.data();
+  scene.casting = &store.casting;
 }
 
 template void add_opaque_scene(FrozenStore<float>&, bool);

@@ -305,17 +305,30 @@ void drop_blocked(const Batch<R>& batch) {
   general.filter.resize(left);
 }
 
-/// Follows the ways of all that wait, and finds what is left of them: general.filter.
+/// Follows the ways of those that a scene blocks, and finds what is left of them: general.filter.
 template <class R>
-void follow_all(const Batch<R>& batch) {
+void follow_blocked(const Batch<R>& batch, const FrozenScene<R>& scene) {
   GeneralWorkspace<R>& general = batch.general;
-  batch.services.find_blocked(batch.scene, general.waiting, batch.scratch);
+  batch.services.find_blocked(scene, general.waiting, batch.scratch);
   general.walks.clear();
   for (std::size_t entry = 0; entry < general.waiting; ++entry)
     if (batch.scratch.blocked[entry] != 0 || starts_in_absorber(batch, entry))
       start_walk(batch, entry);
   walk_through(batch);
 }
+
+/// Which scenes say what ways come to that are not followed; nullptr: none.
+template <class R>
+struct Unfollowed {
+  const FrozenScene<R>* dark;  ///< nothing is left of what it blocks
+  const FrozenScene<R>* lit;   ///< all is left of what it does not block
+
+  explicit Unfollowed(const Batch<R>& batch) : dark(deciding_scene(batch)), lit(dark) {
+    if (lit != nullptr) return;
+    if (batch.optics().cut_count == 0) dark = batch.scene.opaque;
+    if (!batch.optics().absorbing) lit = batch.scene.casting;
+  }
+};
 
 }  // namespace
 
@@ -326,22 +339,26 @@ void trace_waiting(const Batch<R>& batch) {
   general.filter.assign(general.waiting, V3<R>{R(1), R(1), R(1)});
   if (general.waiting == 0 || !batch.settings.terms.shadows) return;
   batch.counts.shadow += general.waiting;
-  // Opaque shapes first: the way to what they block is not followed. Only who explains wants to know
-  // all of it; what is left of the light in the end is the same.
-  const FrozenScene<R>* const deciding = deciding_scene(batch);
-  const FrozenScene<R>* const first =
-      deciding != nullptr || batch.optics().cut_count > 0 ? deciding : batch.scene.opaque;
-  const bool listens = general.listener != nullptr;
-  if (listens) follow_all(batch);
-  if (first != nullptr) batch.services.find_blocked(*first, general.waiting, batch.scratch);
-  for (std::size_t i = 0; listens && first != nullptr && i < general.waiting; ++i)
-    if (scratch.blocked[i] != 0)
-      general.filter[i] = {R(0), R(0), R(0)};
-    else if (deciding != nullptr)
-      general.filter[i] = {R(1), R(1), R(1)};
-  if (listens) return;
-  if (first != nullptr) drop_blocked(batch);
-  if (deciding == nullptr) follow_all(batch);
+  const Unfollowed<R> scenes(batch);
+  if (general.listener == nullptr) {
+    if (scenes.dark != nullptr) {
+      batch.services.find_blocked(*scenes.dark, general.waiting, batch.scratch);
+      drop_blocked(batch);
+    }
+    if (scenes.dark == nullptr || scenes.dark != scenes.lit)
+      follow_blocked(batch, scenes.lit != nullptr ? *scenes.lit : batch.scene);
+    return;
+  }
+  // Who explains wants to know of all ways; what they come to is the same.
+  follow_blocked(batch, batch.scene);
+  const auto set = [&](const FrozenScene<R>* scene, bool blocked, R left) {
+    if (scene == nullptr) return;
+    batch.services.find_blocked(*scene, general.waiting, batch.scratch);
+    for (std::size_t i = 0; i < general.waiting; ++i)
+      if ((scratch.blocked[i] != 0) == blocked) general.filter[i] = {left, left, left};
+  };
+  set(scenes.dark, true, R(0));
+  set(scenes.lit, false, R(1));
 }
 
 #define ZRAKA_FOR(R)                                  \
