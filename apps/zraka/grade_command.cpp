@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // zraka grade: marks for submissions, and the cause of what is wrong in them.
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -9,6 +8,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "core/in_parallel.hpp"
 #include "core/phrase.hpp"
 #include "core/text.hpp"
 #include "core/words.hpp"
@@ -90,12 +90,18 @@ int run(const GradeArguments& arguments) {
   const int stage =
       arguments.stage.empty() ? 0 : static_cast<int>(*stage_named(arguments.stage));
   std::vector<Grade> grades(paths.size());
-  tbb::parallel_for(std::size_t{0}, paths.size(), [&](std::size_t i) {
+  const auto grade_one = [&](std::size_t i) {
     grades[i] = grader->grade(paths[i], arguments.all ? Links::refuse : Links::follow, stage);
     if (arguments.all) grades[i].name = fs::path(paths[i]).filename().string();
     if (arguments.all || format != "html")
       for (StageGrade& judged : grades[i].stages) judged.aligned = {};
-  });
+  };
+  in_parallel(
+      paths.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) grade_one(i);
+      },
+      1);
   std::string text;
   if (format == "json") {
     text = grade_json(language, *grader, grades, arguments.all);

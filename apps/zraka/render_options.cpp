@@ -2,7 +2,6 @@
 #include "render_options.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include <optional>
 
 #include "core/new_file.hpp"
+#include "core/threads.hpp"
 #include "core/words.hpp"
 #include "scene_files.hpp"
 #include "terminal.hpp"
@@ -139,8 +139,7 @@ Result<Scene> RenderArguments::load(const std::vector<std::string>& outputs,
   // From reading to writing. The end of a limit lets more threads start, so this one has none:
   // where the system allows only one thread, one must do.
   if (threads > 0) {
-    [[maybe_unused]] static const auto* const limit = new tbb::global_control(
-        tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    [[maybe_unused]] static const auto* const limit = new ThreadLimit(threads);
   }
   ReadOptions reading = files;
   look.apply_to(reading);

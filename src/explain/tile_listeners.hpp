@@ -2,14 +2,11 @@
 // Listening to all tiles of a picture at once: a listener for each thread.
 #pragma once
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "core/threads.hpp"
 #include "render/isa.hpp"
 #include "render/prepare.hpp"
 #include "render/tiles.hpp"
@@ -34,18 +31,17 @@ std::optional<std::vector<std::unique_ptr<Listener>>> listen_to_tiles(const Reso
                                                                       const RenderOptions& options,
                                                                       const Make& make,
                                                                       const Read& read) {
-  const int threads = options.threads == 0 ? tbb::info::default_concurrency() : options.threads;
+  const int threads = options.threads == 0 ? processor_count() : options.threads;
   const int tile = options.tile == 0 ? chosen_tile(size.width, size.height, threads) : options.tile;
   const std::int32_t side = tile + (options.profile.average_corners ? 1 : 0);
-  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                            static_cast<std::size_t>(threads));
-  tbb::enumerable_thread_specific<std::unique_ptr<Listener>> of_threads(
-      [&] { return make(side * side); });
+  const ThreadLimit limit(threads);
+  PerThread<std::unique_ptr<Listener>> of_threads([&] { return make(side * side); });
   if (!each_tile(size.width, size.height, tile, threads, options.bind_threads, options.cancel,
                  [&](const TileRect& rect) { read(*of_threads.local(), rect); }))
     return std::nullopt;
   std::vector<std::unique_ptr<Listener>> listeners;
-  for (std::unique_ptr<Listener>& listener : of_threads) listeners.push_back(std::move(listener));
+  of_threads.each(
+      [&](std::unique_ptr<Listener>& listener) { listeners.push_back(std::move(listener)); });
   return listeners;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // NFF, the Neutral File Format of Eric Haines' Standard Procedural Databases (docs/nff.md): large
 // files are cut into blocks, which are read side by side and put together in their order.
-#include <tbb/global_control.h>
-#include <tbb/parallel_pipeline.h>
 
 #include <algorithm>
 #include <atomic>
@@ -14,8 +12,9 @@
 #endif
 
 #include "core/file.hpp"
-#include "core/handover.hpp"
+#include "core/in_parallel.hpp"
 #include "core/text.hpp"
+#include "core/threads.hpp"
 #include "core/unset_vector.hpp"
 #include "formats/formats.hpp"
 #include "formats/nff_reader.hpp"
@@ -28,7 +27,6 @@ struct Block {
   std::string_view text;
   NffReader reader;
   bool shapes_only = false;
-  Handover to_reader, from_reader;
 };
 
 /// A line's begin from which on the file can be read for itself: a word of shapes or materials is
@@ -59,7 +57,7 @@ std::size_t last_begin(std::string_view text) {
 }
 
 bool one_thread() {
-  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) < 2;
+  return threads_allowed() < 2;
 }
 
 /// Reads blocks side by side, as far as they are shapes. cut() makes the next one, or none after
@@ -67,37 +65,13 @@ bool one_thread() {
 template <class Cut, class Join>
 void read_blocks(const Cut& cut, const Join& join) {
   constexpr std::size_t kBlocksAtOnce = 6;
-  Handover cutting, joining;
-  using Token = std::shared_ptr<Block>;
-  const auto cut_one = [&](tbb::flow_control& flow) -> Token {
-    cutting.take();
-    Token block(cut());
-    if (block == nullptr) {
-      flow.stop();
-      return nullptr;
-    }
-    block->to_reader.give();
-    cutting.give();
-    return block;
+  const auto read = [](void* piece) {
+    auto& block = *static_cast<Block*>(piece);
+    block.shapes_only = block.reader.read_shapes();
   };
-  const auto read = [](const Token& block) {
-    block->to_reader.take();
-    block->shapes_only = block->reader.read_shapes();
-    block->from_reader.give();
-    return block;
-  };
-  const auto join_one = [&](const Token& block) {
-    block->from_reader.take();
-    joining.take();
-    join(*block);
-    joining.give();
-  };
-  using tbb::filter_mode;
-  tbb::parallel_pipeline(kBlocksAtOnce,
-                         tbb::make_filter<void, Token>(filter_mode::serial_in_order, cut_one) &
-                             tbb::make_filter<Token, Token>(filter_mode::parallel, read) &
-                             tbb::make_filter<Token, void>(filter_mode::serial_in_order, join_one));
-  joining.take();
+  in_order(
+      kBlocksAtOnce, [&] { return WorkPiece(cut()); }, read,
+      [&](void* block) { join(*static_cast<Block*>(block)); });
 #ifdef __GLIBC__
   malloc_trim(0);  // else the blocks' memory waits on the heap while the hierarchy needs it
 #endif
@@ -144,8 +118,7 @@ Result<ReadScene> parse_nff_by_blocks(std::string_view text, const std::string& 
     const char* begin = next;
     next = next_block(begin, end, size);
     const std::string_view part(begin, static_cast<std::size_t>(next - begin));
-    return std::unique_ptr<Block>(
-        new Block{{}, part, NffReader(part, name, part.size()), false, {}, {}});
+    return std::unique_ptr<Block>(new Block{{}, part, NffReader(part, name, part.size()), false});
   };
   // What is no plain block is read again where it stands, so that every problem has its words and
   // its place.

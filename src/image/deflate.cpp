@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/deflate.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/info.h>
-#include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <atomic>
 #include <new>
 
-#include "core/handover.hpp"
+#include "core/in_parallel.hpp"
+#include "core/threads.hpp"
 
 namespace zraka {
 namespace {
@@ -104,7 +101,7 @@ bool deflate_rows(const Rows& rows, int level, int threads,
       static_cast<std::uint32_t>(std::max<std::size_t>(1, kPieceBytes / rows.bytes));
   Stream stream(take);
   // More threads than processors would only wait for each other.
-  const int all = tbb::info::default_concurrency();
+  const int all = processor_count();
   const int workers = threads == 0 ? all : std::clamp(threads, 1, all);
   if (workers == 1 || rows.count <= together) {
     Deflater deflater(level);
@@ -119,44 +116,26 @@ bool deflate_rows(const Rows& rows, int level, int threads,
     std::uint32_t first, end;
     Piece piece;
   };
-  tbb::enumerable_thread_specific<Deflater> deflaters(level);
-  tbb::task_arena arena(workers);
-  Handover jobs, pieces, parts;
+  PerThread<Deflater> deflaters([level] { return Deflater(level); });
   std::uint32_t next = 0;
   std::atomic<bool> going = true;
-  const auto next_job = [&](tbb::flow_control& control) {
-    jobs.take();
+  const auto next_job = [&]() -> WorkPiece {
     const std::uint32_t first = next;
-    if (!going || first == rows.count) {
-      control.stop();
-      return Job{};
-    }
+    if (!going || first == rows.count) return nullptr;
     next += std::min(rows.count - first, together);
-    Job job{first, next, {}};
-    jobs.give();
-    return job;
+    return std::make_shared<Job>(Job{first, next, {}});
   };
-  const auto do_job = [&](Job job) {
-    jobs.take();
+  const auto do_job = [&](void* piece) {
+    Job& job = *static_cast<Job*>(piece);
     job.piece = deflaters.local().deflate(rows, job.first, job.end);
-    pieces.give();
-    return job;
   };
-  const auto hand_over = [&](Job job) {
-    pieces.take();
-    parts.take();
+  const auto hand_over = [&](void* piece) {
+    Job& job = *static_cast<Job*>(piece);
     if (going) going = stream.add(std::move(job.piece), job.end == rows.count);
-    parts.give();
   };
-  jobs.give();
-  arena.execute([&] {
-    using tbb::filter_mode, tbb::make_filter;
-    tbb::parallel_pipeline(2 * static_cast<std::size_t>(workers),
-                           make_filter<void, Job>(filter_mode::serial_in_order, next_job) &
-                               make_filter<Job, Job>(filter_mode::parallel, do_job) &
-                               make_filter<Job, void>(filter_mode::serial_in_order, hand_over));
+  in_arena(workers, [&] {
+    in_order(2 * static_cast<std::size_t>(workers), next_job, do_job, hand_over);
   });
-  parts.take();
   return going;
 }
 

@@ -110,13 +110,13 @@ std::string write_to(std::FILE* stream, const Image& image, const float* alpha,
 }
 
 /// Where libpng reads from.
-struct Source {
+struct PngSource {
   const char* at;
   std::size_t left;
 };
 
 void read_bytes(png_structp png, png_bytep out, std::size_t count) {
-  auto* source = static_cast<Source*>(png_get_io_ptr(png));
+  auto* source = static_cast<PngSource*>(png_get_io_ptr(png));
   if (source->left < count) png_error(png, "the file ends too early");
   std::memcpy(out, source->at, count);
   source->at += count;
@@ -129,7 +129,7 @@ struct Header {
   bool interlaced;
 };
 
-bool read_header(png_structp png, png_infop info, Source* source, Header& header) {
+bool read_header(png_structp png, png_infop info, PngSource* source, Header& header) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng's way
   png_set_read_fn(png, source, read_bytes);
   // The caller judges the size; text, profiles and the like are passed over, whatever their size.
@@ -212,7 +212,7 @@ Result<ReadImage> PngReader::read(const ImageFile& file) {
     return failure(file.name, phrase(Word::image_no_png, message_.text));
   };
   if (info_ == nullptr) return failure(file.name, "cannot be read: not enough memory");
-  Source source{file.bytes.data(), file.bytes.size()};
+  PngSource source{file.bytes.data(), file.bytes.size()};
   Header header{};
   if (!read_header(png_, info_, &source, header)) return problem();
   if (const Result<void> fits = file.check_size(header.width, header.height); !fits)

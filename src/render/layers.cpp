@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/layers.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <limits>
 #include <optional>
 
+#include "core/threads.hpp"
 #include "render/crypto.hpp"
 #include "engine/general/cuts.hpp"
 #include "engine/tile_order.hpp"
@@ -111,7 +110,7 @@ class LayerMaker {
   const SampleRays<R> samples_;
   std::optional<UvFinder<R>> uv_;
   std::optional<ScreenBounds> bounds_;
-  tbb::enumerable_thread_specific<Worker> workers_;
+  PerThread<Worker> workers_;
 };
 
 template <class R>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tiles over threads: oneTBB hands out tiles, each thread has its own memory for the engine.
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,6 +11,7 @@
 
 #include "core/phrase.hpp"
 #include "core/spread.hpp"
+#include "core/threads.hpp"
 #include "render/corners.hpp"
 #include "render/isa.hpp"
 #include "render/layers.hpp"
@@ -71,7 +71,7 @@ bool render_tiles(const PictureJob<R>& job, Rendering& rendering) {
     background.insert(background.end(), {static_cast<float>(scene.background.x),
                                          static_cast<float>(scene.background.y),
                                          static_cast<float>(scene.background.z)});
-  tbb::enumerable_thread_specific<Worker<R>> workers([&] {
+  PerThread<Worker<R>> workers([&] {
     return Worker<R>{
         WorkspaceMemory<R>(job.tile * job.tile, job.settings.max_depth, scene.textures != nullptr),
         {}};
@@ -99,7 +99,7 @@ bool render_tiles(const PictureJob<R>& job, Rendering& rendering) {
   };
   const bool complete = each_tile(image.width, image.height, job.tile, job.threads,
                                   job.options.bind_threads, job.options.cancel, render_tile);
-  for (const Worker<R>& worker : workers) add(rendering.stats.rays, worker.counts);
+  workers.each([&](const Worker<R>& worker) { add(rendering.stats.rays, worker.counts); });
   return complete;
 }
 

@@ -2,15 +2,11 @@
 // The way from a frozen scene to its picture, for scenes that are frozen once and rendered often.
 #pragma once
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <zraka/render.hpp>
 
+#include "core/threads.hpp"
 #include "render/picture_job.hpp"
 #include "render/prepare.hpp"
 
@@ -32,20 +28,18 @@ Result<Rendering> render_with_tiles(Scene&& scene, const RenderOptions& options,
 
 /// So many threads work where options say `wanted`: 0 means those of the caller's arena.
 inline int threads_for(int wanted) {
-  return std::clamp(wanted == 0 ? tbb::this_task_arena::max_concurrency() : wanted, 1, kMaxThreads);
+  return std::clamp(wanted == 0 ? threads_here() : wanted, 1, kMaxThreads);
 }
 
 /// Calls work() in the caller's arena, or in one of so many threads if the caller wants another
 /// number: nothing else in the program is held to it.
-template <class Work>
-void with_threads(int wanted, const Work& work) {
+inline void with_threads(int wanted, FunctionRef<void()> work) {
   if (wanted == 0) return work();
   const int threads = threads_for(wanted);
   // Only a number that oneTBB has no threads for needs its leave.
-  std::optional<tbb::global_control> limit;
-  if (threads > tbb::info::default_concurrency())
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  tbb::task_arena(threads).execute(work);
+  std::optional<ThreadLimit> limit;
+  if (threads > processor_count()) limit.emplace(threads);
+  in_arena(threads, work);
 }
 
 }  // namespace zraka

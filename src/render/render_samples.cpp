@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/render_samples.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <type_traits>
 #include <vector>
 
+#include "core/threads.hpp"
 #include "engine/tile_order.hpp"
 #include "render/film.hpp"
 #include "render/sample_rays.hpp"
@@ -153,7 +152,7 @@ class SampledPicture {
   bool render_evenly() {
     const std::uint64_t area = area_of(job_.part);
     WorkProgress progress(job_.options, area, area);
-    tbb::enumerable_thread_specific<std::vector<FilmPixel>> films;
+    PerThread<std::vector<FilmPixel>> films;
     const bool complete = each_tile_of(job_.part, [&](const TileRect& tile) {
       std::vector<FilmPixel>& film = films.local();
       film.assign(area_of(tile), FilmPixel());
@@ -300,11 +299,11 @@ class SampledPicture {
       rendering_.layers.channels.push_back({"A", std::move(alpha_), true});
     }
     double all_cut = 0;
-    for (const SampleTracer<R>& tracer : tracers_) {
+    tracers_.each([&](const SampleTracer<R>& tracer) {
       add(rendering_.stats.rays, tracer.counts);
       rendering_.stats.most_cut = std::max(rendering_.stats.most_cut, tracer.most_cut);
       all_cut += tracer.all_cut;
-    }
+    });
     const auto cameras = static_cast<double>(rendering_.stats.rays.camera);
     if (cameras > 0) rendering_.stats.mean_cut = all_cut / cameras;
   }
@@ -313,7 +312,7 @@ class SampledPicture {
   Rendering& rendering_;
   const SampleRays<R> samples_;
   const std::optional<ScreenBounds> bounds_;
-  tbb::enumerable_thread_specific<SampleTracer<R>> tracers_;
+  PerThread<SampleTracer<R>> tracers_;
   std::vector<float> alpha_;  ///< of a transparent picture
 };
 

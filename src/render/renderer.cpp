@@ -12,6 +12,7 @@
 #include <utility>
 #include <zraka/renderer.hpp>
 
+#include "core/threads.hpp"
 #include "render/isa.hpp"
 #include "render/pixel_buffer.hpp"
 #include "render/render_prepared.hpp"
@@ -146,7 +147,9 @@ struct Renderer::Impl {
     const std::lock_guard lock(preparing);
     // While it waits for others' parts, this thread must not begin another picture, which would
     // want the same lock.
-    return tbb::this_task_arena::isolate([&] { return prepare_alone(view, wanted); });
+    std::optional<Result<ForView>> prepared;
+    undisturbed([&] { prepared = prepare_alone(view, wanted); });
+    return std::move(*prepared);
   }
 
   Result<ForView> prepare_alone(const View& view, const RenderOptions& wanted) const {

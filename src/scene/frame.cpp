@@ -2,15 +2,13 @@
 // Where the engine's frame lies in the world: floats go to what the camera sees.
 #include "math/frame.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <optional>
 #include <vector>
 
-#include "core/handover.hpp"
+#include "core/in_parallel.hpp"
 #include "scene/freeze.hpp"
 #include "scene/view_axes.hpp"
 #include "scene/view_cone.hpp"
@@ -46,19 +44,17 @@ void each_sample(const ShapeLists& shapes, const Whereabouts& where, const Funct
 template <class T, class Shape, class More, class Join>
 T reduced(const std::vector<Object<Shape>>& objects, const T& none, const More& more,
           const Join& join) {
-  using Iterator = typename std::vector<Object<Shape>>::const_iterator;
-  Handover handover;
-  handover.give();
-  const T all = tbb::parallel_reduce(
-      tbb::blocked_range<Iterator>(objects.begin(), objects.end(), 65536), none,
-      [&](const tbb::blocked_range<Iterator>& part, T sum) {
-        handover.take();
-        for (const Object<Shape>& object : part) more(sum, object);
-        handover.give();
-        return sum;
+  T all = none;
+  std::mutex joining;
+  in_parallel(
+      objects.size(),
+      [&](std::size_t begin, std::size_t end) {
+        T sum = none;
+        for (std::size_t i = begin; i < end; ++i) more(sum, objects[i]);
+        const std::lock_guard lock(joining);
+        all = join(all, sum);
       },
-      join);
-  handover.take();
+      65536);
   return all;
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 /// The first colour where the sum of the cells floor(p/size) is even. Each axis gives a sign, or,
 /// where a footprint is wide, the mean of one; their product is exact for a box along the axes.
-TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
+TextureValue checker_value(const PreparedTexture& t, const TexturePlace& at) {
   const double below = tolerance(t, at);
   const auto sign = [&](double p, const V3<double>& axis) {
     return sign_in_turn(p / t.size, width_along(at, axis) / t.size, below);
@@ -21,6 +21,6 @@ TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
 
 }  // namespace
 
-const TextureCode texture_kinds::checker = {value, nullptr, {"checker", "šahovnica"}};
+const TextureCode texture_kinds::checker = {checker_value, nullptr, {"checker", "šahovnica"}};
 
 }  // namespace zraka

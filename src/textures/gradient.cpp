@@ -8,7 +8,7 @@
 namespace zraka {
 namespace {
 
-TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
+TextureValue gradient_value(const PreparedTexture& t, const TexturePlace& at) {
   double s = dot(at.point, t.direction) / t.size;
   // Where the last colour meets the first, as borders of cells.
   const double next = std::floor(s + tolerance(t, at));
@@ -16,7 +16,7 @@ TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
   return t.ramp.mean(s, width_along(at, t.direction) / t.size);
 }
 
-void prepare(const Texture&, PreparedTexture& texture) {
+void prepare_gradient(const Texture&, PreparedTexture& texture) {
   texture.ramp = Ramp(Ramp::evenly(texture.colors), false, texture.wrap);
   const double step = texture.size / (64 * static_cast<double>(texture.colors.size()));
   texture.finest = {step, step, step};
@@ -24,6 +24,6 @@ void prepare(const Texture&, PreparedTexture& texture) {
 
 }  // namespace
 
-const TextureCode texture_kinds::gradient = {value, prepare, {"gradient", "prijelaz boja"}};
+const TextureCode texture_kinds::gradient = {gradient_value, prepare_gradient, {"gradient", "prijelaz boja"}};
 
 }  // namespace zraka

@@ -144,7 +144,7 @@ V3<double> by_distance(const PreparedTexture& t, const TexturePlace& at) {
   return look(fine) * (1 - coarser) + look(fine + 1) * coarser;
 }
 
-TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
+TextureValue image_value(const PreparedTexture& t, const TexturePlace& at) {
   if (t.pyramid == nullptr) return {};
   if (t.filter == TextureFilter::nearest)
     return nearest(sheet_of(t, at, 0), at.point.x, at.point.y);
@@ -154,7 +154,7 @@ TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
   return filtered(t, at);
 }
 
-void prepare(const Texture& described, PreparedTexture& texture) {
+void prepare_image(const Texture& described, PreparedTexture& texture) {
   const std::shared_ptr<const Image>& image = described.image;
   if (image == nullptr || image->width == 0 || image->height == 0) return;
   texture.pyramid =
@@ -166,6 +166,6 @@ void prepare(const Texture& described, PreparedTexture& texture) {
 
 }  // namespace
 
-const TextureCode texture_kinds::image = {value, prepare, {"image", "slika"}};
+const TextureCode texture_kinds::image = {image_value, prepare_image, {"image", "slika"}};
 
 }  // namespace zraka

@@ -7,14 +7,14 @@
 namespace zraka {
 namespace {
 
-TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
+TextureValue marble_value(const PreparedTexture& t, const TexturePlace& at) {
   const auto count = static_cast<double>(t.colors.size());
   const Bent x = layers_bent(t, at);
   return t.ramp.mean(x.at / count, x.width / count);
 }
 
 /// Each colour is pure at a whole number of sizes.
-void prepare(const Texture&, PreparedTexture& texture) {
+void prepare_marble(const Texture&, PreparedTexture& texture) {
   std::vector<V3<double>> round = texture.colors;
   round.push_back(round.front());
   texture.ramp = Ramp(Ramp::evenly(round), true, TextureWrap::repeat);
@@ -23,6 +23,6 @@ void prepare(const Texture&, PreparedTexture& texture) {
 
 }  // namespace
 
-const TextureCode texture_kinds::marble = {value, prepare, {"marble", "mramor"}};
+const TextureCode texture_kinds::marble = {marble_value, prepare_marble, {"marble", "mramor"}};
 
 }  // namespace zraka

@@ -8,13 +8,13 @@
 namespace zraka {
 namespace {
 
-TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
+TextureValue noise_value(const PreparedTexture& t, const TexturePlace& at) {
   const Fractal fractal{t.octaves, t.seed};
   const double height = fractal(at.point * (1 / t.size), greatest_width(at) / t.size);
   return t.ramp.value(0.5 + 0.5 * height);
 }
 
-void prepare(const Texture&, PreparedTexture& texture) {
+void prepare_noise(const Texture&, PreparedTexture& texture) {
   texture.ramp = Ramp(Ramp::evenly(texture.colors), false, TextureWrap::clamp);
   const double step = texture.size * finest_grain(texture.octaves) / 32;
   texture.finest = {step, step, step};
@@ -22,6 +22,6 @@ void prepare(const Texture&, PreparedTexture& texture) {
 
 }  // namespace
 
-const TextureCode texture_kinds::noise = {value, prepare, {"noise", "šum"}};
+const TextureCode texture_kinds::noise = {noise_value, prepare_noise, {"noise", "šum"}};
 
 }  // namespace zraka

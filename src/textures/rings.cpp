@@ -7,17 +7,17 @@
 namespace zraka {
 namespace {
 
-TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
+TextureValue rings_value(const PreparedTexture& t, const TexturePlace& at) {
   const Bent x = rings_bent(t, at);
   return color_in_turn(t.colors, x.at, x.width, tolerance(t, at));
 }
 
-void prepare(const Texture&, PreparedTexture& texture) {
+void prepare_rings(const Texture&, PreparedTexture& texture) {
   texture.finest = finest_bent(texture);
 }
 
 }  // namespace
 
-const TextureCode texture_kinds::rings = {value, prepare, {"rings", "prstenovi"}};
+const TextureCode texture_kinds::rings = {rings_value, prepare_rings, {"rings", "prstenovi"}};
 
 }  // namespace zraka

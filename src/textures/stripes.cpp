@@ -6,13 +6,13 @@
 namespace zraka {
 namespace {
 
-TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
+TextureValue stripes_value(const PreparedTexture& t, const TexturePlace& at) {
   const double width = width_along(at, t.direction) / t.size;
   return color_in_turn(t.colors, dot(at.point, t.direction) / t.size, width, tolerance(t, at));
 }
 
 }  // namespace
 
-const TextureCode texture_kinds::stripes = {value, nullptr, {"stripes", "pruge"}};
+const TextureCode texture_kinds::stripes = {stripes_value, nullptr, {"stripes", "pruge"}};
 
 }  // namespace zraka

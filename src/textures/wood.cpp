@@ -6,13 +6,13 @@
 namespace zraka {
 namespace {
 
-TextureValue value(const PreparedTexture& t, const TexturePlace& at) {
+TextureValue wood_value(const PreparedTexture& t, const TexturePlace& at) {
   const Bent x = rings_bent(t, at);
   return t.ramp.mean(x.at, x.width);
 }
 
 /// Early wood turns to late wood slowly, and winter is short.
-void prepare(const Texture&, PreparedTexture& texture) {
+void prepare_wood(const Texture&, PreparedTexture& texture) {
   std::vector<Ramp::Knot> knots = Ramp::evenly(texture.colors);
   for (Ramp::Knot& knot : knots) knot.at *= 0.8;
   knots.push_back({1, texture.colors.front()});
@@ -22,6 +22,6 @@ void prepare(const Texture&, PreparedTexture& texture) {
 
 }  // namespace
 
-const TextureCode texture_kinds::wood = {value, prepare, {"wood", "drvo"}};
+const TextureCode texture_kinds::wood = {wood_value, prepare_wood, {"wood", "drvo"}};
 
 }  // namespace zraka

@@ -15,7 +15,7 @@ struct Window {
   Vec3 center, right{2, 0, 0}, up{0, 2, 0};
 };
 /// Of all kinds; each has fields for some of it.
-struct Entry {
+struct CameraEntry {
   Vec3 eye{0, 0, 5}, look_at, up{0, 1, 0};
   std::optional<Window> window;
   double fov_deg = 40, height = 5;
@@ -25,10 +25,10 @@ struct Entry {
   std::optional<Vec3> focus;
   std::optional<double> focus_distance;
 };
-struct WindowEntry : Entry {
+struct WindowEntry : CameraEntry {
   WindowEntry() { eye = {0, 0, 2}; }
 };
-struct FisheyeEntry : Entry {
+struct FisheyeEntry : CameraEntry {
   FisheyeEntry() { fov_deg = Camera{}.fov_deg; }
 };
 
@@ -48,7 +48,7 @@ void complain(const Item& item, std::string_view key, std::string_view message,
 /// By what `looking` makes of eye, look_at and up; or by the window, which says all that. None, and
 /// the problem told, where that is no view. `others` are the keys besides that a window replaces.
 template <class Looking>
-std::optional<Camera> view_of(const Entry& entry, std::initializer_list<std::string_view> others,
+std::optional<Camera> view_of(const CameraEntry& entry, std::initializer_list<std::string_view> others,
                               const Item& item, std::string_view what, const Looking& looking) {
   if (entry.window) {
     const Camera camera{entry.eye, entry.window->center, entry.window->right, entry.window->up};
@@ -79,7 +79,7 @@ std::optional<Camera> view_of(const Entry& entry, std::initializer_list<std::str
 }
 
 /// The lens; it is in focus at `usual` where nothing is said.
-bool set_lens(const Entry& entry, double usual, const Item& item, std::string_view what,
+bool set_lens(const CameraEntry& entry, double usual, const Item& item, std::string_view what,
               Camera& camera) {
   camera.aperture = entry.aperture;
   if (entry.focus && entry.focus_distance) {
@@ -101,7 +101,7 @@ double distance(const Vec3& a, const Vec3& b) {
   return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
 }
 
-void put_perspective(Entry& entry, Item& item) {
+void put_perspective(CameraEntry& entry, Item& item) {
   constexpr std::string_view kWhat = "perspective camera";
   const std::optional<Camera> view = view_of(entry, {"look_at", "up", "fov_deg"}, item, kWhat, [&] {
     return look_at(entry.eye, entry.look_at, entry.up, entry.fov_deg, aspect_of(item.input.scene));
@@ -125,7 +125,7 @@ void put_window(WindowEntry& entry, Item& item) {
     item.input.scene.camera = camera;
 }
 
-void put_orthographic(Entry& entry, Item& item) {
+void put_orthographic(CameraEntry& entry, Item& item) {
   std::optional<Camera> camera =
       view_of(entry, {"look_at", "up", "height"}, item, "orthographic camera", [&] {
         return look_along(entry.eye, entry.look_at, entry.up, entry.height,
@@ -139,7 +139,7 @@ void put_orthographic(Entry& entry, Item& item) {
 }
 
 /// Of these the window says directions alone.
-void put_round(const Entry& entry, CameraKind kind, std::string_view what, Item& item) {
+void put_round(const CameraEntry& entry, CameraKind kind, std::string_view what, Item& item) {
   constexpr double kRightAngle = 90;
   std::optional<Camera> camera = view_of(entry, {"look_at", "up"}, item, what, [&] {
     return look_at(entry.eye, entry.look_at, entry.up, kRightAngle, aspect_of(item.input.scene));
@@ -155,7 +155,7 @@ void put_round(const Entry& entry, CameraKind kind, std::string_view what, Item&
 void put_fisheye(FisheyeEntry& entry, Item& item) {
   put_round(entry, CameraKind::fisheye, "fisheye camera", item);
 }
-void put_panorama(Entry& entry, Item& item) {
+void put_panorama(CameraEntry& entry, Item& item) {
   put_round(entry, CameraKind::panorama, "panorama camera", item);
 }
 
@@ -172,33 +172,33 @@ constexpr Table kWindow =
     table_of<Window>("window", "A rectangle in space that the picture fills.", kWindowTableFields);
 
 constexpr Field eye(std::string_view text) {
-  return field<&Entry::eye>("eye", {.text = text, .unit = Unit::point});
+  return field<&CameraEntry::eye>("eye", {.text = text, .unit = Unit::point});
 }
 constexpr Field look_at_field() {
-  return field<&Entry::look_at>(
+  return field<&CameraEntry::look_at>(
       "look_at", {.text = "the point in the middle of the picture", .unit = Unit::point});
 }
 constexpr Field up() {
-  return field<&Entry::up>(
+  return field<&CameraEntry::up>(
       "up", {.text = "which direction is up in the picture", .unit = Unit::direction});
 }
 constexpr Field window(std::string_view text, bool required = false) {
-  return table_field<&Entry::window, kWindow>("window", {.text = text, .required = required});
+  return table_field<&CameraEntry::window, kWindow>("window", {.text = text, .required = required});
 }
 constexpr Field aperture() {
-  return field<&Entry::aperture>(
+  return field<&CameraEntry::aperture>(
       "aperture", {.text = "the diameter of a thin lens at the eye, which draws sharply what is in "
                            "focus alone; 0: a pinhole",
                    .unit = Unit::length,
                    .range = at_least(0)});
 }
 constexpr Field focus() {
-  return field<&Entry::focus>(
+  return field<&CameraEntry::focus>(
       "focus",
       {.text = "a point of the plane across the view that is in focus", .unit = Unit::point});
 }
 constexpr Field focus_distance(std::string_view text) {
-  return field<&Entry::focus_distance>(
+  return field<&CameraEntry::focus_distance>(
       "focus_distance", {.text = text, .unit = Unit::length, .range = greater_than(0)});
 }
 
@@ -206,7 +206,7 @@ constexpr Field kPerspectiveFields[] = {
     eye("where the rays start"),
     look_at_field(),
     up(),
-    field<&Entry::fov_deg>("fov_deg", {.text = "the angle of view over the picture's height",
+    field<&CameraEntry::fov_deg>("fov_deg", {.text = "the angle of view over the picture's height",
                                        .unit = Unit::degrees,
                                        .range = between(0, 180)}),
     window("in the place of look_at, up and fov_deg, the rectangle that the rays go through"),
@@ -227,7 +227,7 @@ constexpr Field kOrthographicFields[] = {
     eye("in the middle of the plane where the rays start"),
     look_at_field(),
     up(),
-    field<&Entry::height>("height", {.text = "how much of the scene the picture's height shows",
+    field<&CameraEntry::height>("height", {.text = "how much of the scene the picture's height shows",
                                      .unit = Unit::length,
                                      .range = greater_than(0)}),
     window("in the place of look_at, up and height: the rays start in a rectangle like this with "
@@ -237,7 +237,7 @@ constexpr Field kFisheyeFields[] = {
     eye("where the rays start"),
     look_at_field(),
     up(),
-    field<&Entry::fov_deg>("fov_deg", {.text = "the angle of view over the picture's height",
+    field<&CameraEntry::fov_deg>("fov_deg", {.text = "the angle of view over the picture's height",
                                        .unit = Unit::degrees,
                                        .range = {0, 360, true, false}}),
     window("in the place of look_at and up, a rectangle whose directions say where it looks"),
@@ -247,26 +247,26 @@ constexpr Field kPanoramaFields[] = {
     look_at_field(),
     up(),
     window("in the place of look_at and up, a rectangle whose directions say where it looks"),
-    field<&Entry::longitude_deg>(
+    field<&CameraEntry::longitude_deg>(
         "longitude_deg",
         {.text = "how far round it sees", .unit = Unit::degrees, .range = {0, 360, true, false}}),
-    field<&Entry::latitude_deg>("latitude_deg", {.text = "how much it sees from below to above",
+    field<&CameraEntry::latitude_deg>("latitude_deg", {.text = "how much it sees from below to above",
                                                  .unit = Unit::degrees,
                                                  .range = {0, 180, true, false}}),
-    field<&Entry::latitude_middle_deg>("latitude_middle_deg",
+    field<&CameraEntry::latitude_middle_deg>("latitude_middle_deg",
                                        {.text = "how far above the view the picture's middle is",
                                         .unit = Unit::degrees,
                                         .range = from_to(-90, 90)}),
 };
 
-constexpr Kind kPerspective = kind_of<Entry, put_perspective>(
+constexpr Kind kPerspective = kind_of<CameraEntry, put_perspective>(
     "perspective", "perspective camera", "A pinhole, or a lens, that looks at a point.",
     kPerspectiveFields);
 constexpr Kind kWindowKind = kind_of<WindowEntry, put_window>(
     "window", "window camera", "A pinhole, or a lens, that looks through a window, as in the lab.",
     kWindowFields);
 constexpr Kind kOrthographic =
-    kind_of<Entry, put_orthographic>("orthographic", "orthographic camera",
+    kind_of<CameraEntry, put_orthographic>("orthographic", "orthographic camera",
                                      "Its rays are parallel: what is far is as large as "
                                      "what is near.",
                                      kOrthographicFields);
@@ -274,17 +274,17 @@ constexpr Kind kFisheye = kind_of<FisheyeEntry, put_fisheye>(
     "fisheye", "fisheye camera",
     "The angle to the view grows in proportion to the distance from the picture's middle.",
     kFisheyeFields);
-constexpr Kind kPanorama = kind_of<Entry, put_panorama>(
+constexpr Kind kPanorama = kind_of<CameraEntry, put_panorama>(
     "panorama", "panorama camera",
     "All round: columns are longitudes, rows latitudes; twice as wide as tall, it shows everything "
     "once without distortion.",
     kPanoramaFields);
-constexpr const Kind* kKinds[] = {&kPerspective, &kWindowKind, &kOrthographic, &kFisheye,
+constexpr const Kind* kCameraKinds[] = {&kPerspective, &kWindowKind, &kOrthographic, &kFisheye,
                                   &kPanorama};
-constexpr Family kFamily = {"camera", "perspective", kKinds};
+constexpr Family kCameraFamily = {"camera", "perspective", kCameraKinds};
 
-void read(const toml::Node& node, Input& input) {
-  read_item(node, kFamily, input);
+void read_camera(const toml::Node& node, Input& input) {
+  read_item(node, kCameraFamily, input);
 }
 
 const Kind& kind_of_camera(CameraKind kind) {
@@ -302,10 +302,10 @@ const Kind& kind_of_camera(CameraKind kind) {
 }
 
 /// By their windows, which say what they are to the last digit.
-void write(Output& output) {
+void write_camera(Output& output) {
   const Camera& camera = output.scene.camera;
   const Kind& kind = kind_of_camera(camera.kind);
-  Entry entry;
+  CameraEntry entry;
   entry.eye = camera.eye;
   entry.window = Window{camera.window_center, camera.window_right, camera.window_up};
   entry.fov_deg = camera.fov_deg;
@@ -323,8 +323,8 @@ void write(Output& output) {
 
 constexpr Section section::camera = {.key = "camera",
                                      .text = "Where the picture is seen from.",
-                                     .family = &kFamily,
-                                     .read = read,
-                                     .write = write};
+                                     .family = &kCameraFamily,
+                                     .read = read_camera,
+                                     .write = write_camera};
 
 }  // namespace zraka::language

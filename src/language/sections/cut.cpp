@@ -5,7 +5,7 @@
 namespace zraka::language {
 namespace {
 
-constexpr Field kFields[] = {
+constexpr Field kCutFields[] = {
     field<&Cut::point>("point",
                        {.text = "a point of the plane", .unit = Unit::point, .required = true}),
     field<&Cut::normal>("normal",
@@ -18,27 +18,27 @@ constexpr Field kFields[] = {
                                          "this cut_group",
                                  .range = from_to(0, 4294967295.0)}),
 };
-constexpr Table kTable = table_of<Cut>(
-    "cut", "Takes away what is on one side of a plane, so that the inside is seen.", kFields);
+constexpr Table kCutTable = table_of<Cut>(
+    "cut", "Takes away what is on one side of a plane, so that the inside is seen.", kCutFields);
 
-void read(const toml::Node& node, Input& input) {
+void read_cut(const toml::Node& node, Input& input) {
   Cut cut;
-  read_fields(node, kTable, "cut", &cut, input);
+  read_fields(node, kCutTable, "cut", &cut, input);
   input.scene.cuts.push_back(cut);
 }
 
-void write(Output& output) {
+void write_cut(Output& output) {
   for (const Cut& cut : output.scene.cuts)
-    write_table("[[cut]]", true, kTable, "cut", &cut, output.text);
+    write_table("[[cut]]", true, kCutTable, "cut", &cut, output.text);
 }
 
 }  // namespace
 
 constexpr Section section::cut = {.key = "cut",
                                   .form = Section::Form::list,
-                                  .text = kTable.text,
-                                  .table = &kTable,
-                                  .read = read,
-                                  .write = write};
+                                  .text = kCutTable.text,
+                                  .table = &kCutTable,
+                                  .read = read_cut,
+                                  .write = write_cut};
 
 }  // namespace zraka::language

@@ -16,18 +16,18 @@ struct GroupEntry {
   ShapeTables shape;
 };
 
-constexpr Field kFields[] = {
+constexpr Field kGroupFields[] = {
     field<&GroupEntry::shape>("shape",
                               {.text = "its shapes, each as below [[shape]]", .required = true}),
 };
-constexpr Table kTable = table_of<GroupEntry>(
+constexpr Table kGroupTable = table_of<GroupEntry>(
     "group",
     "Shapes that are drawn where an instance of the group stands, and nowhere else. Instances of "
     "other groups may be among them.",
-    kFields);
+    kGroupFields);
 
 /// Groups may be named before they are read.
-void begin(const toml::Node& all, Input& input) {
+void begin_group(const toml::Node& all, Input& input) {
   for (const toml::Node& child : all.children) {
     if (child.kind != toml::Node::Kind::table) continue;
     input.groups.emplace(child.key, static_cast<std::uint32_t>(input.scene.groups.size()));
@@ -35,9 +35,9 @@ void begin(const toml::Node& all, Input& input) {
   }
 }
 
-void read(const toml::Node& node, Input& input) {
+void read_group(const toml::Node& node, Input& input) {
   GroupEntry entry;
-  read_fields(node, kTable, fmt::format("group {}", key_of(node.key)), &entry, input);
+  read_fields(node, kGroupTable, fmt::format("group {}", key_of(node.key)), &entry, input);
   const toml::Node* const shapes = node.find("shape");
   if (shapes == nullptr || shapes->kind != toml::Node::Kind::array) return;
   const std::uint32_t index = input.groups.at(node.key);
@@ -108,11 +108,11 @@ class Follower {
   std::vector<std::uint32_t> way_;
 };
 
-void end(Input& input) {
+void end_group(Input& input) {
   Follower(input).follow_all();
 }
 
-void write(Output& output) {
+void write_group(Output& output) {
   std::string& text = output.text.text;
   for (std::size_t i = 0; i < output.scene.groups.size(); ++i) {
     const std::string key = key_of(output.groups[i]);
@@ -127,11 +127,11 @@ void write(Output& output) {
 
 constexpr Section section::group = {.key = "group",
                                     .form = Section::Form::named,
-                                    .text = kTable.text,
-                                    .table = &kTable,
-                                    .read = read,
-                                    .write = write,
-                                    .begin = begin,
-                                    .end = end};
+                                    .text = kGroupTable.text,
+                                    .table = &kGroupTable,
+                                    .read = read_group,
+                                    .write = write_group,
+                                    .begin = begin_group,
+                                    .end = end_group};
 
 }  // namespace zraka::language

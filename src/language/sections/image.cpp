@@ -8,17 +8,17 @@ namespace zraka::language {
 namespace {
 
 constexpr Range kPixels = from_to(1, static_cast<double>(kMaxPixels));
-constexpr Field kFields[] = {
+constexpr Field kImageFields[] = {
     field<&Resolution::width>("width",
                               {.text = "pixels in a row", .unit = Unit::pixels, .range = kPixels}),
     field<&Resolution::height>("height",
                                {.text = "rows of pixels", .unit = Unit::pixels, .range = kPixels}),
 };
-constexpr Table kTable = table_of<Resolution>("image", "The size of the picture.", kFields);
+constexpr Table kImageTable = table_of<Resolution>("image", "The size of the picture.", kImageFields);
 
-void read(const toml::Node& node, Input& input) {
+void read_image(const toml::Node& node, Input& input) {
   Resolution size;
-  read_fields(node, kTable, "image", &size, input);
+  read_fields(node, kImageTable, "image", &size, input);
   if (std::uint64_t{size.width} * size.height > kMaxPixels) {
     input.problems.error(node.begin, fmt::format("an image of {}×{} pixels is too large: expected "
                                                  "{} pixels at most",
@@ -28,13 +28,13 @@ void read(const toml::Node& node, Input& input) {
   input.scene.resolution = size;
 }
 
-void write(Output& output) {
-  write_table("[image]", true, kTable, "image", &output.scene.resolution, output.text);
+void write_image(Output& output) {
+  write_table("[image]", true, kImageTable, "image", &output.scene.resolution, output.text);
 }
 
 }  // namespace
 
 constexpr Section section::image = {
-    .key = "image", .text = kTable.text, .table = &kTable, .read = read, .write = write};
+    .key = "image", .text = kImageTable.text, .table = &kImageTable, .read = read_image, .write = write_image};
 
 }  // namespace zraka::language

@@ -137,11 +137,11 @@ constexpr Kind kSphere = kind_of<Light, put<LightKind::sphere>>(
     "sphere", "sphere light", "A ball that shines, and throws soft shadows.", kSphereFields);
 
 /// In the order of LightKind.
-constexpr const Kind* kKinds[] = {&kPoint, &kDirectional, &kSpot, &kRectangle, &kDisc, &kSphere};
-constexpr Family kFamily = {"light", "point", kKinds};
+constexpr const Kind* kLightKinds[] = {&kPoint, &kDirectional, &kSpot, &kRectangle, &kDisc, &kSphere};
+constexpr Family kLightFamily = {"light", "point", kLightKinds};
 
-void read(const toml::Node& node, Input& input) {
-  read_item(node, kFamily, input);
+void read_light(const toml::Node& node, Input& input) {
+  read_item(node, kLightFamily, input);
 }
 
 /// With its target, if that leads back to the same direction, and else with that.
@@ -155,11 +155,11 @@ Spot entry_of(const Light& light) {
   return entry;
 }
 
-void write(Output& output) {
+void write_light(Output& output) {
   for (const Light& light : output.scene.lights) {
-    const Kind& kind = *kKinds[static_cast<std::size_t>(light.kind)];
+    const Kind& kind = *kLightKinds[static_cast<std::size_t>(light.kind)];
     const std::string named =
-        kind.name == kFamily.default_kind ? "" : fmt::format("\nkind = {}", in_quotes(kind.name));
+        kind.name == kLightFamily.default_kind ? "" : fmt::format("\nkind = {}", in_quotes(kind.name));
     const Spot entry = entry_of(light);
     write_table("[[light]]" + named, true, kind.table, kind.table.name, &entry, output.text);
   }
@@ -170,8 +170,8 @@ void write(Output& output) {
 constexpr Section section::light = {.key = "light",
                                     .form = Section::Form::list,
                                     .text = "What the light comes from.",
-                                    .family = &kFamily,
-                                    .read = read,
-                                    .write = write};
+                                    .family = &kLightFamily,
+                                    .read = read_light,
+                                    .write = write_light};
 
 }  // namespace zraka::language

@@ -132,7 +132,7 @@ constexpr Field kSellmeierFields[] = {
 constexpr Table kSellmeier =
     table_of<Sellmeier>("sellmeier", "By Sellmeier's formula.", kSellmeierFields);
 
-constexpr Field kFields[] = {
+constexpr Field kMaterialFields[] = {
     color_of_both(),
     textured_field<&Material::ambient, Coefficient::ambient>(
         "ambient", {.text = "share of the ambient light", .range = at_least(0), .symbol = "ka"}),
@@ -183,12 +183,12 @@ constexpr Field kFields[] = {
     table_field<&MaterialEntry::normal_map, kNormalMap>("normal_map",
                                                         {.text = "a texture of normals"}),
 };
-constexpr Table kTable =
+constexpr Table kMaterialTable =
     table_of<MaterialEntry>("material",
                             "What a surface does with light. A shape that names "
                             "none has the material default, which is grey "
                             "where the file does not say what it is.",
-                            kFields);
+                            kMaterialFields);
 
 NormalUse normals_of(const MaterialEntry& entry) {
   if (entry.bump) return {NormalUse::Kind::bump, entry.bump->texture.index, entry.bump->height};
@@ -248,11 +248,11 @@ void read_optics(const toml::Node& node, MaterialEntry& entry, std::string_view 
                                what, kShortestSeen, kLongestSeen));
 }
 
-void read(const toml::Node& node, Input& input) {
+void read_material(const toml::Node& node, Input& input) {
   MaterialEntry entry;
   const std::string what = fmt::format("material {}", key_of(node.key));
   const std::size_t before = input.problems.errors();
-  read_fields(node, kTable, what, &entry, input);
+  read_fields(node, kMaterialTable, what, &entry, input);
   if (entry.bump && entry.normal_map)
     input.problems.error(node.find("normal_map")->begin,
                          fmt::format("{} has bump and normal_map: expected one of them", what));
@@ -291,11 +291,11 @@ MaterialEntry entry_of(const Material& material) {
   return entry;
 }
 
-void write(Output& output) {
+void write_material(Output& output) {
   for (std::size_t i = 0; i < output.scene.materials.size(); ++i) {
     const std::string key = key_of(output.materials[i]);
     const MaterialEntry entry = entry_of(output.scene.materials[i]);
-    write_table(fmt::format("[material.{}]", key), true, kTable, fmt::format("material {}", key),
+    write_table(fmt::format("[material.{}]", key), true, kMaterialTable, fmt::format("material {}", key),
                 &entry, output.text);
   }
 }
@@ -304,10 +304,10 @@ void write(Output& output) {
 
 constexpr Section section::material = {.key = "material",
                                        .form = Section::Form::named,
-                                       .text = kTable.text,
-                                       .table = &kTable,
-                                       .read = read,
-                                       .write = write,
+                                       .text = kMaterialTable.text,
+                                       .table = &kMaterialTable,
+                                       .read = read_material,
+                                       .write = write_material,
                                        .end = make_normal_maps_linear};
 
 }  // namespace zraka::language

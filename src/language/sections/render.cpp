@@ -17,7 +17,7 @@ struct Adaptive {
   std::array<int, 2> adaptive{4, 64};
   double contrast = Sampling{}.contrast;
 };
-struct Entry : RenderDefaults {
+struct RenderEntry : RenderDefaults {
   std::variant<int, Grid, Adaptive> samples = 1;
   PixelFilter filter = PixelFilter::box;
   std::uint32_t seed = 0;
@@ -58,7 +58,7 @@ constexpr Field kAdaptiveFields[] = {
 constexpr Table kAdaptive =
     table_of<Adaptive>("adaptive", "More where the picture needs them.", kAdaptiveFields);
 
-constexpr Field kFields[] = {
+constexpr Field kRenderFields[] = {
     field<&RenderDefaults::profile>("profile",
                                     {.text = "the rules of light", .choices = kProfiles}),
     field<&RenderDefaults::max_depth>("max_depth",
@@ -70,18 +70,18 @@ constexpr Field kFields[] = {
          .range = at_least(0)}),
     field<&RenderDefaults::shadows>("shadows",
                                     {.text = "what shadow rays do", .choices = kShadows}),
-    table_field<&Entry::samples, kGrid, kAdaptive>(
+    table_field<&RenderEntry::samples, kGrid, kAdaptive>(
         "samples", {.text = "rays a pixel; 1 goes through its middle, more are spread evenly",
                     .range = from_to(1, kMaxSamples)}),
-    field<&Entry::filter>("filter", {.text = "how samples become a pixel", .choices = kFilters}),
+    field<&RenderEntry::filter>("filter", {.text = "how samples become a pixel", .choices = kFilters}),
     field<&RenderDefaults::wavelengths>(
         "wavelengths", {.text = "into how many a ray splits that a dispersive body refracts",
                         .range = from_to(1, kMaxWavelengths)}),
-    field<&Entry::seed>("seed", {.text = "another one, other random numbers",
+    field<&RenderEntry::seed>("seed", {.text = "another one, other random numbers",
                                  .range = from_to(0, std::numeric_limits<std::uint32_t>::max())}),
 };
-constexpr Table kTable =
-    table_of<Entry>("render", "How the picture is made; the command line wins.", kFields);
+constexpr Table kRenderTable =
+    table_of<RenderEntry>("render", "How the picture is made; the command line wins.", kRenderFields);
 
 struct SamplingOf {
   Sampling operator()(int count) const { return {.count = count}; }
@@ -93,9 +93,9 @@ struct SamplingOf {
   }
 };
 
-void read(const toml::Node& node, Input& input) {
-  Entry entry;
-  read_fields(node, kTable, "render", &entry, input);
+void read_render(const toml::Node& node, Input& input) {
+  RenderEntry entry;
+  read_fields(node, kRenderTable, "render", &entry, input);
   if (const Adaptive* const a = std::get_if<Adaptive>(&entry.samples);
       a != nullptr && a->adaptive[0] > a->adaptive[1])
     input.problems.error(
@@ -108,8 +108,8 @@ void read(const toml::Node& node, Input& input) {
   input.scene.defaults = entry;
 }
 
-void write(Output& output) {
-  Entry entry{output.scene.defaults, {}, {}, {}};
+void write_render(Output& output) {
+  RenderEntry entry{output.scene.defaults, {}, {}, {}};
   const Sampling& sampling = entry.sampling;
   switch (sampling.kind) {
     case Sampling::Kind::sobol:
@@ -124,12 +124,12 @@ void write(Output& output) {
   }
   entry.filter = sampling.filter;
   entry.seed = sampling.seed;
-  write_table("[render]", false, kTable, "render", &entry, output.text);
+  write_table("[render]", false, kRenderTable, "render", &entry, output.text);
 }
 
 }  // namespace
 
 constexpr Section section::render = {
-    .key = "render", .text = kTable.text, .table = &kTable, .read = read, .write = write};
+    .key = "render", .text = kRenderTable.text, .table = &kRenderTable, .read = read_render, .write = write_render};
 
 }  // namespace zraka::language

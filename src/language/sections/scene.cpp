@@ -30,7 +30,7 @@ struct Occlusion : AmbientOcclusion {
 struct LinearFog : Fog {};
 struct ExponentialFog : Fog {};
 struct SquaredFog : Fog {};
-struct Entry {
+struct SceneEntry {
   Color ambient = Scene{}.ambient_light;
   std::variant<Color, Gradient, Panorama> background;
   std::optional<Occlusion> occlusion;
@@ -55,15 +55,15 @@ constexpr Field kGradientFields[] = {
 constexpr Table kGradient = table_of<Gradient>(
     "gradient", "From colour to colour, evenly with the height of the ray's direction.",
     kGradientFields);
-constexpr Field kPanoramaFields[] = {
+constexpr Field kSkyPanoramaFields[] = {
     field<&Panorama::file>("file", {.text = "the picture: PNG, JPEG, PPM, PGM, PFM, HDR or OpenEXR",
                                     .unit = Unit::picture}),
     field<&Panorama::texture>("texture", {.text = "in its place, a texture of kind image"}),
     field<&Panorama::up>("up", {.text = "which way is up", .unit = Unit::direction}),
 };
-constexpr Table kPanorama = table_of<Panorama>(
+constexpr Table kSkyPanorama = table_of<Panorama>(
     "image", "A panorama: columns are longitudes, rows latitudes, its middle is seen towards -z.",
-    kPanoramaFields);
+    kSkyPanoramaFields);
 
 constexpr Field kOcclusionFields[] = {
     field<&AmbientOcclusion::samples>("samples", {.text = "rays over the hemisphere at each point",
@@ -111,19 +111,19 @@ constexpr Field kSquaredFogFields[] = {fog_density(), fog_start("where it begins
 constexpr Table kSquaredFog = table_of<SquaredFog>(
     "squared", "Leaves exp(-(density·(d - start))²) at the distance d.", kSquaredFogFields);
 
-constexpr Field kFields[] = {
-    field<&Entry::ambient>(
+constexpr Field kSceneFields[] = {
+    field<&SceneEntry::ambient>(
         "ambient", {.text = "the light that is everywhere", .range = at_least(0), .symbol = "Ia"}),
-    table_field<&Entry::background, kGradient, kPanorama>(
+    table_field<&SceneEntry::background, kGradient, kSkyPanorama>(
         "background",
         {.text = "the colour of rays that hit nothing", .range = at_least(0), .by_kind = true}),
-    table_field<&Entry::occlusion, kOcclusion>(
+    table_field<&SceneEntry::occlusion, kOcclusion>(
         "ambient_occlusion", {.text = "how much less of the ambient light corners get"}),
-    table_field<&Entry::fog, kLinearFog, kExponentialFog, kSquaredFog>(
+    table_field<&SceneEntry::fog, kLinearFog, kExponentialFog, kSquaredFog>(
         "fog", {.text = "what distance puts over the colours", .by_kind = true}),
 };
-constexpr Table kTable =
-    table_of<Entry>("scene", "The light that is everywhere, and the background.", kFields);
+constexpr Table kSceneTable =
+    table_of<SceneEntry>("scene", "The light that is everywhere, and the background.", kSceneFields);
 
 /// The texture of a panorama; none, and the problem told, if there is anything wrong with it.
 std::optional<std::uint32_t> texture_of(const Panorama& panorama, const toml::Node& node,
@@ -147,7 +147,7 @@ std::optional<std::uint32_t> texture_of(const Panorama& panorama, const toml::No
     if (named == nullptr && node.find("file") == nullptr)
       input.problems.missing(
           node.begin, fmt::format("{} has no file: expected {}, {}", kWhat,
-                                  kPanoramaFields[0].about.text, expected_of(kPanoramaFields[0])));
+                                  kSkyPanoramaFields[0].about.text, expected_of(kSkyPanoramaFields[0])));
     return std::nullopt;
   }
   Texture texture;
@@ -174,7 +174,7 @@ Sky gradient_of(const Gradient& g, const toml::Node& node, Input& input) {
 }
 
 /// No fog in the place of none, and of one that ends before it starts.
-Fog fog_of(const Entry& entry, const toml::Node& node, Input& input) {
+Fog fog_of(const SceneEntry& entry, const toml::Node& node, Input& input) {
   Fog fog;
   if (const auto* const linear = std::get_if<LinearFog>(&entry.fog)) {
     fog = *linear;
@@ -197,16 +197,16 @@ Fog fog_of(const Entry& entry, const toml::Node& node, Input& input) {
   return fog;
 }
 
-void set_fog(const Fog& fog, Entry& entry) {
+void set_fog(const Fog& fog, SceneEntry& entry) {
   if (fog.kind == Fog::Kind::linear) entry.fog = LinearFog{fog};
   if (fog.kind == Fog::Kind::exponential) entry.fog = ExponentialFog{fog};
   if (fog.kind == Fog::Kind::squared) entry.fog = SquaredFog{fog};
 }
 
-void read(const toml::Node& node, Input& input) {
-  Entry entry;
+void read_scene(const toml::Node& node, Input& input) {
+  SceneEntry entry;
   Scene& scene = input.scene;
-  read_fields(node, kTable, "scene", &entry, input);
+  read_fields(node, kSceneTable, "scene", &entry, input);
   scene.ambient_light = entry.ambient;
   if (entry.occlusion) scene.ambient_occlusion = *entry.occlusion;
   scene.fog = fog_of(entry, node, input);
@@ -218,22 +218,22 @@ void read(const toml::Node& node, Input& input) {
       scene.sky = {.kind = Sky::Kind::image, .up = p->up, .texture = *texture};
 }
 
-void write(Output& output) {
+void write_scene(Output& output) {
   const Scene& scene = output.scene;
   const Sky& sky = scene.sky;
-  Entry entry{scene.ambient_light, scene.background, {}, {}};
+  SceneEntry entry{scene.ambient_light, scene.background, {}, {}};
   set_fog(scene.fog, entry);
   if (sky.kind == Sky::Kind::gradient)
     entry.background = Gradient{sky.bottom, sky.top, sky.up, sky.low, sky.high};
   if (sky.kind == Sky::Kind::image)
     entry.background = Panorama{{}, TextureIndex{sky.texture}, sky.up};
   if (scene.ambient_occlusion.samples > 0) entry.occlusion = Occlusion(scene.ambient_occlusion);
-  write_table("[scene]", false, kTable, "scene", &entry, output.text);
+  write_table("[scene]", false, kSceneTable, "scene", &entry, output.text);
 }
 
 }  // namespace
 
 constexpr Section section::scene = {
-    .key = "scene", .text = kTable.text, .table = &kTable, .read = read, .write = write};
+    .key = "scene", .text = kSceneTable.text, .table = &kSceneTable, .read = read_scene, .write = write_scene};
 
 }  // namespace zraka::language

@@ -6,11 +6,11 @@
 namespace zraka::language {
 namespace {
 
-void read(const toml::Node& node, Input& input) {
+void read_shapes(const toml::Node& node, Input& input) {
   read_shape(node, {.shapes = &input.scene}, input);
 }
 
-void write(Output& output) {
+void write_shapes(Output& output) {
   write_shapes(output.scene, false, "[[shape]]", output);
 }
 
@@ -20,7 +20,7 @@ constexpr Section section::shape = {.key = "shape",
                                     .form = Section::Form::list,
                                     .text = "What is seen.",
                                     .family = &kShapeFamily,
-                                    .read = read,
-                                    .write = write};
+                                    .read = read_shapes,
+                                    .write = write_shapes};
 
 }  // namespace zraka::language

@@ -8,13 +8,13 @@
 namespace zraka::language {
 namespace {
 
-void read(const toml::Node& node, Input& input) {
+void read_textures(const toml::Node& node, Input& input) {
   const std::uint32_t index = add_texture(node, input);
   input.textures.emplace(node.key, index);
   input.scene.texture_names.emplace(index, node.key);
 }
 
-void write(Output& output) {
+void write_textures(Output& output) {
   for (std::size_t i = 0; i < output.scene.textures.size(); ++i) {
     const Texture& texture = output.scene.textures[i];
     const Kind& kind = *kTextureFamily.kinds[static_cast<std::size_t>(texture.kind)];
@@ -33,7 +33,7 @@ constexpr Section section::texture = {
         "Colours, or numbers, that differ from point to point. Materials have them in the place "
         "of coefficients, by name or as a table: diffuse = {kind = \"checker\"}.",
     .family = &kTextureFamily,
-    .read = read,
-    .write = write};
+    .read = read_textures,
+    .write = write_textures};
 
 }  // namespace zraka::language

@@ -4,7 +4,7 @@
 namespace zraka::language {
 namespace {
 
-constexpr Field kFields[] = {
+constexpr Field kBoxFields[] = {
     field<&Box::min>(
         "min",
         {.text = "the corner where x, y and z are least", .unit = Unit::point, .required = true}),
@@ -21,7 +21,7 @@ void put(Box& box, Item& item) {
 }  // namespace
 
 constexpr Kind shape::box =
-    kind_of<Box, put>("box", "box", "A box whose sides are along the axes.", kFields, true);
+    kind_of<Box, put>("box", "box", "A box whose sides are along the axes.", kBoxFields, true);
 
 void write_shape(const Box& box, ShapeOutput& output) {
   output.write(shape::box, &box);

@@ -4,7 +4,7 @@
 namespace zraka::language {
 namespace {
 
-constexpr Field kFields[] = {
+constexpr Field kCapsuleFields[] = {
     field<&Capsule::base>("base",
                           {.text = "one end of the line", .unit = Unit::point, .required = true}),
     field<&Capsule::top>("top", {.text = "the other", .unit = Unit::point, .required = true}),
@@ -20,7 +20,7 @@ void put(Capsule& capsule, Item& item) {
 }  // namespace
 
 constexpr Kind shape::capsule = kind_of<Capsule, put>(
-    "capsule", "capsule", "All points within a radius of a line.", kFields, true);
+    "capsule", "capsule", "All points within a radius of a line.", kCapsuleFields, true);
 
 void write_shape(const Capsule& capsule, ShapeOutput& output) {
   output.write(shape::capsule, &capsule);

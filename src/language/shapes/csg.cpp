@@ -12,7 +12,7 @@ struct CsgEntry {
   ShapeTables of;
 };
 
-constexpr Field kFields[] = {
+constexpr Field kCsgFields[] = {
     field<&CsgEntry::of>(
         "of", {.text = "closed bodies, and unions, intersections and differences of them; each may "
                        "have a material, a name and a transform of its own",
@@ -66,7 +66,7 @@ void read_csg(const Kind& kind, Item& item) {
 
 template <CsgOperation operation>
 constexpr Kind csg_kind(std::string_view name, std::string_view text) {
-  return {name, table_of<CsgEntry>(name, text, kFields), read_csg<operation>, true};
+  return {name, table_of<CsgEntry>(name, text, kCsgFields), read_csg<operation>, true};
 }
 
 }  // namespace

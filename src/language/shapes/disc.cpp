@@ -4,7 +4,7 @@
 namespace zraka::language {
 namespace {
 
-constexpr Field kFields[] = {
+constexpr Field kDiscFields[] = {
     field<&Disc::center>("center", {.text = "its centre", .unit = Unit::point, .required = true}),
     field<&Disc::normal>("normal",
                          {.text = "which way it faces", .unit = Unit::direction, .required = true}),
@@ -24,7 +24,7 @@ void put(Disc& disc, Item& item) {
 }  // namespace
 
 constexpr Kind shape::disc =
-    kind_of<Disc, put>("disc", "disc", "A disc or a ring, seen from both sides.", kFields);
+    kind_of<Disc, put>("disc", "disc", "A disc or a ring, seen from both sides.", kDiscFields);
 
 void write_shape(const Disc& disc, ShapeOutput& output) {
   output.write(shape::disc, &disc);

@@ -4,7 +4,7 @@
 namespace zraka::language {
 namespace {
 
-constexpr Field kFields[] = {
+constexpr Field kEllipsoidFields[] = {
     field<&Ellipsoid::center>("center",
                               {.text = "its centre", .unit = Unit::point, .required = true}),
     field<&Ellipsoid::radii>("radii", {.text = "along x, y and z",
@@ -20,7 +20,7 @@ void put(Ellipsoid& ellipsoid, Item& item) {
 }  // namespace
 
 constexpr Kind shape::ellipsoid =
-    kind_of<Ellipsoid, put>("ellipsoid", "ellipsoid", "An ellipsoid.", kFields, true);
+    kind_of<Ellipsoid, put>("ellipsoid", "ellipsoid", "An ellipsoid.", kEllipsoidFields, true);
 
 void write_shape(const Ellipsoid& ellipsoid, ShapeOutput& output) {
   output.write(shape::ellipsoid, &ellipsoid);

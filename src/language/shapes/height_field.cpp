@@ -17,7 +17,7 @@ struct HeightField {
   bool smooth = false;
 };
 
-constexpr Field kFields[] = {
+constexpr Field kHeightFieldFields[] = {
     field<&HeightField::file>("file", {.text = "the picture, of 2 × 2 pixels or more; its numbers "
                                                "are heights, no curve undone",
                                        .unit = Unit::picture,
@@ -80,6 +80,6 @@ constexpr Kind shape::height_field = kind_of<HeightField, put>(
     "height_field", "height_field",
     "A landscape whose heights are a picture's brightness, seen from both sides. The picture's "
     "upper left corner is at the origin.",
-    kFields);
+    kHeightFieldFields);
 
 }  // namespace zraka::language

@@ -12,7 +12,7 @@ struct InstanceEntry {
   std::string of;
 };
 
-constexpr Field kFields[] = {
+constexpr Field kInstanceFields[] = {
     field<&InstanceEntry::of>(
         "of", {.text = "the group's name", .unit = Unit::name_of_group, .required = true}),
 };
@@ -37,7 +37,7 @@ void put(InstanceEntry& entry, Item& item) {
 constexpr Kind shape::instance = kind_of<InstanceEntry, put>(
     "instance", "instance",
     "A group's shapes, moved by the transform. The material is that of shapes which name none.",
-    kFields);
+    kInstanceFields);
 
 void write_shape(const Instance& instance, ShapeOutput& output) {
   const InstanceEntry entry{output.output.groups[instance.group]};

@@ -11,7 +11,7 @@ struct MeshEntry {
   std::optional<bool> smooth;
 };
 
-constexpr Field kFields[] = {
+constexpr Field kMeshFields[] = {
     field<&MeshEntry::file>(
         "file", {.text = "its triangles and polygons", .unit = Unit::mesh, .required = true}),
     field<&MeshEntry::smooth>(
@@ -48,6 +48,6 @@ void put(MeshEntry& entry, Item& item) {
 
 constexpr Kind shape::mesh = kind_of<MeshEntry, put>(
     "mesh", "mesh", "Triangles from a file, which is read once however often it is named.",
-    kFields);
+    kMeshFields);
 
 }  // namespace zraka::language

@@ -4,7 +4,7 @@
 namespace zraka::language {
 namespace {
 
-constexpr Field kFields[] = {
+constexpr Field kParallelogramFields[] = {
     field<&Parallelogram::corner>("corner",
                                   {.text = "a corner", .unit = Unit::point, .required = true}),
     field<&Parallelogram::edge_u>("edge_u", {.text = "from it to the next corner, where u is 1",
@@ -22,7 +22,7 @@ void put(Parallelogram& parallelogram, Item& item) {
 }  // namespace
 
 constexpr Kind shape::parallelogram = kind_of<Parallelogram, put>(
-    "parallelogram", "parallelogram", "A parallelogram, seen from both sides.", kFields);
+    "parallelogram", "parallelogram", "A parallelogram, seen from both sides.", kParallelogramFields);
 
 void write_shape(const Parallelogram& parallelogram, ShapeOutput& output) {
   output.write(shape::parallelogram, &parallelogram);

@@ -41,7 +41,7 @@ constexpr Choice kColorMaps[] = {
 static_assert(std::size(kLooks) == std::size(kParticleLookNames));
 static_assert(std::size(kColorMaps) == std::size(kColorMapNames));
 
-constexpr Field kFields[] = {
+constexpr Field kParticlesFields[] = {
     field<&ParticlesEntry::file>(
         "file", {.text = "where they are read from", .unit = Unit::particles, .required = true}),
     field<&ParticlesEntry::look>("look", {.text = "what becomes of them", .choices = kLooks}),
@@ -118,6 +118,6 @@ void put(ParticlesEntry& entry, Item& item) {
 constexpr Kind shape::particles = kind_of<ParticlesEntry, put>(
     "particles", "particles",
     "Atoms or other particles from a file: PDB, mmCIF, XYZ, a LAMMPS dump, CSV or NumPy's arrays.",
-    kFields);
+    kParticlesFields);
 
 }  // namespace zraka::language

@@ -4,7 +4,7 @@
 namespace zraka::language {
 namespace {
 
-constexpr Field kFields[] = {
+constexpr Field kPlaneFields[] = {
     field<&Plane::point>("point", {.text = "a point of it", .unit = Unit::point, .required = true}),
     field<&Plane::normal>("normal",
                           {.text = "which way it faces; in CSG the half-space is behind it",
@@ -19,7 +19,7 @@ void put(Plane& plane, Item& item) {
 }  // namespace
 
 constexpr Kind shape::plane = kind_of<Plane, put>(
-    "plane", "plane", "A plane without end; in CSG the half-space behind it.", kFields, true);
+    "plane", "plane", "A plane without end; in CSG the half-space behind it.", kPlaneFields, true);
 
 void write_shape(const Plane& plane, ShapeOutput& output) {
   output.write(shape::plane, &plane);

@@ -21,7 +21,7 @@ struct Polygon {
   std::optional<Transform> texture_transform;
 };
 
-constexpr Field kFields[] = {
+constexpr Field kPolygonFields[] = {
     field<&Polygon::points>("points", {.text = "its corners in turn, in a plane",
                                        .unit = Unit::point,
                                        .required = true,
@@ -77,6 +77,6 @@ void put(Polygon& polygon, Item& item) {
 }  // namespace
 
 constexpr Kind shape::polygon =
-    kind_of<Polygon, put>("polygon", "polygon", "A polygon, which may be concave.", kFields);
+    kind_of<Polygon, put>("polygon", "polygon", "A polygon, which may be concave.", kPolygonFields);
 
 }  // namespace zraka::language

@@ -4,7 +4,7 @@
 namespace zraka::language {
 namespace {
 
-constexpr Field kFields[] = {
+constexpr Field kQuadricFields[] = {
     field<&Quadric::coefficients>(
         "coefficients", {.text = "of xx, yy, zz, xy, xz, yz, x, y, z and 1", .required = true}),
     field<&Quadric::min>(
@@ -22,7 +22,7 @@ void put(Quadric& quadric, Item& item) {
 
 constexpr Kind shape::quadric = kind_of<Quadric, put>(
     "quadric", "quadric", "Where a polynomial of degree 2 is 0; in CSG where it is negative.",
-    kFields, true);
+    kQuadricFields, true);
 
 void write_shape(const Quadric& quadric, ShapeOutput& output) {
   output.write(shape::quadric, &quadric);

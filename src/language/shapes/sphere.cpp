@@ -12,7 +12,7 @@ struct SphereEntry {
   std::optional<Transform> texture_transform;
 };
 
-constexpr Field kFields[] = {
+constexpr Field kSphereFields[] = {
     field<&SphereEntry::center>("center",
                                 {.text = "its centre", .unit = Unit::point, .required = true}),
     field<&SphereEntry::radius>(
@@ -34,7 +34,7 @@ void put(SphereEntry& s, Item& item) {
 }  // namespace
 
 constexpr Kind shape::sphere =
-    kind_of<SphereEntry, put>("sphere", "sphere", "A sphere.", kFields, true);
+    kind_of<SphereEntry, put>("sphere", "sphere", "A sphere.", kSphereFields, true);
 
 void write_shape(const Sphere& s, ShapeOutput& output) {
   const SphereEntry entry{s.center, s.radius, output.texture_transform};

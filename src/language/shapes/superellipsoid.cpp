@@ -10,7 +10,7 @@ struct SuperellipsoidEntry {
   std::array<double, 2> exponents{1, 1};
 };
 
-constexpr Field kFields[] = {
+constexpr Field kSuperellipsoidFields[] = {
     field<&SuperellipsoidEntry::center>(
         "center", {.text = "its centre", .unit = Unit::point, .required = true}),
     field<&SuperellipsoidEntry::radii>("radii", {.text = "along x, y and z",
@@ -32,7 +32,7 @@ void put(SuperellipsoidEntry& s, Item& item) {
 
 constexpr Kind shape::superellipsoid = kind_of<SuperellipsoidEntry, put>(
     "superellipsoid", "superellipsoid",
-    "(|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) = 1 in units of the radii (Barr 1981).", kFields,
+    "(|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) = 1 in units of the radii (Barr 1981).", kSuperellipsoidFields,
     true);
 
 void write_shape(const Superellipsoid& s, ShapeOutput& output) {

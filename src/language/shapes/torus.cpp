@@ -4,7 +4,7 @@
 namespace zraka::language {
 namespace {
 
-constexpr Field kFields[] = {
+constexpr Field kTorusFields[] = {
     field<&Torus::center>("center", {.text = "its centre", .unit = Unit::point, .required = true}),
     field<&Torus::normal>("normal", {.text = "the direction of its axis", .unit = Unit::direction}),
     field<&Torus::radius>("radius", {.text = "from the centre to the middle of the tube",
@@ -23,7 +23,7 @@ void put(Torus& torus, Item& item) {
 
 }  // namespace
 
-constexpr Kind shape::torus = kind_of<Torus, put>("torus", "torus", "A torus.", kFields, true);
+constexpr Kind shape::torus = kind_of<Torus, put>("torus", "torus", "A torus.", kTorusFields, true);
 
 void write_shape(const Torus& torus, ShapeOutput& output) {
   output.write(shape::torus, &torus);

@@ -14,7 +14,7 @@ struct TriangleEntry {
   std::optional<Transform> texture_transform;
 };
 
-constexpr Field kFields[] = {
+constexpr Field kTriangleFields[] = {
     field<&TriangleEntry::a>("a", {.text = "a corner", .unit = Unit::point, .required = true}),
     field<&TriangleEntry::b>("b", {.text = "a corner", .unit = Unit::point, .required = true}),
     field<&TriangleEntry::c>("c", {.text = "a corner", .unit = Unit::point, .required = true}),
@@ -43,7 +43,7 @@ void put(TriangleEntry& t, Item& item) {
 }  // namespace
 
 constexpr Kind shape::triangle = kind_of<TriangleEntry, put>(
-    "triangle", "triangle", "A triangle, seen from both sides.", kFields);
+    "triangle", "triangle", "A triangle, seen from both sides.", kTriangleFields);
 
 void write_shape(const Triangle& t, ShapeOutput& output) {
   const TriangleEntry entry{t.a, t.b, t.c, {}, output.uvs, output.texture_transform};

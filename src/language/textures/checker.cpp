@@ -4,7 +4,7 @@
 namespace zraka::language {
 namespace {
 
-constexpr Field kFields[] = {
+constexpr Field kCheckerFields[] = {
     texture_fields::colors("that of the cube from the origin to [size, size, size], and the other",
                            2),
     texture_fields::size("the cubes' side"),
@@ -22,6 +22,6 @@ constexpr Kind texture::checker =
     texture_kind<TextureKind::checker>("checker", "checker",
                                        "Cubes of two colours, of which no two with a side in "
                                        "common have the same; over u and v, squares.",
-                                       kFields);
+                                       kCheckerFields);
 
 }  // namespace zraka::language

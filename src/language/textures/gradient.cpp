@@ -4,7 +4,7 @@
 namespace zraka::language {
 namespace {
 
-constexpr Field kFields[] = {
+constexpr Field kGradientFields[] = {
     texture_fields::colors("evenly along it"),
     texture_fields::size("its length"),
     texture_fields::direction("the way from the first colour, at the origin, to the last"),
@@ -16,6 +16,6 @@ constexpr Field kFields[] = {
 }  // namespace
 
 constexpr Kind texture::gradient = texture_kind<TextureKind::gradient>(
-    "gradient", "gradient", "From colour to colour along a line.", kFields);
+    "gradient", "gradient", "From colour to colour along a line.", kGradientFields);
 
 }  // namespace zraka::language

@@ -16,7 +16,7 @@ constexpr Choice kTransfers[] = {
     {"linear", "they are light"},
     {"srgb", "by the sRGB curve, as in photographs"},
 };
-constexpr Field kFields[] = {
+constexpr Field kImageFields[] = {
     field<&Texture::file>("file", {.text = "the picture: PNG, JPEG, PPM, PGM, PFM, HDR or OpenEXR",
                                    .unit = Unit::picture,
                                    .required = true}),
@@ -40,19 +40,19 @@ constexpr Field kFields[] = {
     texture_fields::transform(),
 };
 
-void begin(Texture& texture) {
+void begin_image(Texture& texture) {
   texture.mapping = TextureMapping::uv;
 }
 
-void end(Texture& texture, Item& item) {
+void end_image(Texture& texture, Item& item) {
   texture.image =
       read_picture(*item.node.find("file"), "image texture", texture.transfer, item.input);
 }
 
 }  // namespace
 
-constexpr Kind texture::image = texture_kind<TextureKind::image, begin, end>(
+constexpr Kind texture::image = texture_kind<TextureKind::image, begin_image, end_image>(
     "image", "image texture",
-    "A picture: its lower left corner at u = 0, v = 0, its upper right one at 1, 1.", kFields);
+    "A picture: its lower left corner at u = 0, v = 0, its upper right one at 1, 1.", kImageFields);
 
 }  // namespace zraka::language

@@ -4,11 +4,11 @@
 namespace zraka::language {
 namespace {
 
-void begin(Texture& texture) {
+void begin_marble(Texture& texture) {
   texture.turbulence = 1;
 }
 
-constexpr Field kFields[] = {
+constexpr Field kMarbleFields[] = {
     texture_fields::colors("in turns, one blending into the next"),
     texture_fields::size("the width of a vein"),
     texture_fields::direction("across the veins"),
@@ -21,7 +21,7 @@ constexpr Field kFields[] = {
 
 }  // namespace
 
-constexpr Kind texture::marble = texture_kind<TextureKind::marble, begin>(
-    "marble", "marble", "Veins: soft stripes that noise bends.", kFields);
+constexpr Kind texture::marble = texture_kind<TextureKind::marble, begin_marble>(
+    "marble", "marble", "Veins: soft stripes that noise bends.", kMarbleFields);
 
 }  // namespace zraka::language

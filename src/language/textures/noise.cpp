@@ -4,7 +4,7 @@
 namespace zraka::language {
 namespace {
 
-constexpr Field kFields[] = {
+constexpr Field kNoiseFields[] = {
     texture_fields::colors("from the least to the most"),
     texture_fields::size("the grain"),
     texture_fields::octaves(),
@@ -16,6 +16,6 @@ constexpr Field kFields[] = {
 }  // namespace
 
 constexpr Kind texture::noise =
-    texture_kind<TextureKind::noise>("noise", "noise", "Clouds: noise between colours.", kFields);
+    texture_kind<TextureKind::noise>("noise", "noise", "Clouds: noise between colours.", kNoiseFields);
 
 }  // namespace zraka::language

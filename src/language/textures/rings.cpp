@@ -4,11 +4,11 @@
 namespace zraka::language {
 namespace {
 
-void begin(Texture& texture) {
+void begin_rings(Texture& texture) {
   texture.direction = {0, 1, 0};
 }
 
-constexpr Field kFields[] = {
+constexpr Field kRingsFields[] = {
     texture_fields::colors("in turns, from the axis on"),
     texture_fields::size("the width of one"),
     texture_fields::direction("the axis, through the origin"),
@@ -21,7 +21,7 @@ constexpr Field kFields[] = {
 
 }  // namespace
 
-constexpr Kind texture::rings = texture_kind<TextureKind::rings, begin>(
-    "rings", "rings", "Tubes round an axis, whose colours take turns.", kFields);
+constexpr Kind texture::rings = texture_kind<TextureKind::rings, begin_rings>(
+    "rings", "rings", "Tubes round an axis, whose colours take turns.", kRingsFields);
 
 }  // namespace zraka::language

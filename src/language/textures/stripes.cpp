@@ -4,7 +4,7 @@
 namespace zraka::language {
 namespace {
 
-constexpr Field kFields[] = {
+constexpr Field kStripesFields[] = {
     texture_fields::colors("in turns, from the origin on"),
     texture_fields::size("the width of one"),
     texture_fields::direction("across the stripes"),
@@ -15,6 +15,6 @@ constexpr Field kFields[] = {
 }  // namespace
 
 constexpr Kind texture::stripes = texture_kind<TextureKind::stripes>(
-    "stripes", "stripes", "Layers of colours that take turns.", kFields);
+    "stripes", "stripes", "Layers of colours that take turns.", kStripesFields);
 
 }  // namespace zraka::language

@@ -4,12 +4,12 @@
 namespace zraka::language {
 namespace {
 
-void begin(Texture& texture) {
+void begin_wood(Texture& texture) {
   texture.direction = {0, 1, 0};
   texture.turbulence = 0.2;
 }
 
-constexpr Field kFields[] = {
+constexpr Field kWoodFields[] = {
     texture_fields::colors("of a ring, from the inside to the outside"),
     texture_fields::size("the width of a ring"),
     texture_fields::direction("the trunk, through the origin"),
@@ -22,7 +22,7 @@ constexpr Field kFields[] = {
 
 }  // namespace
 
-constexpr Kind texture::wood = texture_kind<TextureKind::wood, begin>(
-    "wood", "wood", "A tree's rings, bent by noise.", kFields);
+constexpr Kind texture::wood = texture_kind<TextureKind::wood, begin_wood>(
+    "wood", "wood", "A tree's rings, bent by noise.", kWoodFields);
 
 }  // namespace zraka::language

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "school/grade/stage_pictures.hpp"
 
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 
+#include "core/threads.hpp"
 #include "image/alter.hpp"
 #include "render/prepare.hpp"
 #include "school/grade/align.hpp"
@@ -69,7 +69,7 @@ Image StagePictures::with_power_times(double factor, int stage, const MistakenBy
   Scene other = scene_;
   for (Material& material : other.materials) material.shininess *= factor;
   Image made;
-  tbb::this_task_arena::isolate([&] {
+  undisturbed([&] {
     made = as_stored(render_mistaken(other, options_of(stage), by).value().image,
                      options_.profile.transfer, 8);
   });
@@ -90,7 +90,7 @@ const Image& StagePictures::right(int stage) const {
   std::call_once(right_once_[i], [&] {
     if (!right_[i].pixels.empty()) return;
     // What one size can show another can.
-    tbb::this_task_arena::isolate([&] { right_[i] = render(stage, Mistake::none).value(); });
+    undisturbed([&] { right_[i] = render(stage, Mistake::none).value(); });
   });
   return right_[i];
 }
@@ -173,7 +173,7 @@ const std::vector<Candidate>& StagePictures::mistaken(int stage) const {
   // While it waits for its tiles, a thread must not be given another submission to mark: that one
   // would wait here for the thread itself.
   std::call_once(kept.once, [&] {
-    tbb::this_task_arena::isolate([&] { kept.pictures = render_all(stage); });
+    undisturbed([&] { kept.pictures = render_all(stage); });
   });
   return kept.pictures;
 }
@@ -185,7 +185,7 @@ const std::vector<Candidate>& StagePictures::mistaken_besides(int stage, Mistake
     kept = &besides_[{stage, mistake}];
   }
   std::call_once(kept->once, [&] {
-    tbb::this_task_arena::isolate([&] { kept->pictures = render_besides(stage, mistake); });
+    undisturbed([&] { kept->pictures = render_besides(stage, mistake); });
   });
   return kept->pictures;
 }
@@ -201,7 +201,7 @@ Image StagePictures::picture(int stage, const MistakenBy& by) const {
     if (const auto found = kept_.find(key); found != kept_.end()) return found->second.image();
   }
   Image made;
-  tbb::this_task_arena::isolate([&] { made = render(stage, by).value(); });
+  undisturbed([&] { made = render(stage, by).value(); });
   const std::lock_guard lock(mutex_);
   if (kept_.size() * made.pixels.size() < (own_scene_ == nullptr ? kMostKept : kMostOfSize))
     kept_.try_emplace(key, made);
