@@ -173,7 +173,7 @@ std::optional<ReadScene> read_nff_by_blocks(LargeFile& file, const std::string& 
     if (text.empty() || !good) return nullptr;
     const std::string_view part = view(text);  // stays where it is when its vector is moved
     return std::unique_ptr<Block>(
-        new Block{std::move(text), part, NffReader(part, name, part.size()), false, {}, {}});
+        new Block{std::move(text), part, NffReader(part, name, part.size()), false});
   };
   read_blocks(cut, [&](Block& block) {
     if (!block.shapes_only || !whole.take(block.reader)) good = false;
