@@ -11,7 +11,7 @@
 namespace zraka {
 namespace {
 
-constexpr double kDegrees = 180 / 3.14159265358979323846;
+constexpr double kPerRadian = 180 / 3.14159265358979323846;
 
 bool is_zero(const Vec3& v) {
   return v == Vec3{};
@@ -116,9 +116,9 @@ void TachyonReader::set_camera() {
   if (projection_ == "FISHEYE") {
     // Sides are angles of longitude and latitude.
     camera.kind = CameraKind::panorama;
-    camera.longitude_deg = std::fabs(other - left) * kDegrees;
-    camera.latitude_deg = std::fabs(top - bottom) * kDegrees;
-    camera.latitude_middle_deg = above * kDegrees;
+    camera.longitude_deg = std::fabs(other - left) * kPerRadian;
+    camera.latitude_deg = std::fabs(top - bottom) * kPerRadian;
+    camera.latitude_middle_deg = above * kPerRadian;
     const double turn = across;
     const Vec3 ahead = view * std::cos(turn) + right * std::sin(turn);
     camera.window_center = center_ + ahead;
