@@ -16,7 +16,7 @@ int main() { return zraka::render(zraka::Scene()) ? 0 : 1; }' >"$folder/project/
 cmake -G Ninja -S "$folder/project" -B "$folder/build" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >"$folder/words" 2>&1 ||
   fail "it cannot be configured: $(cat "$folder/words")"
 commands=$folder/build/compile_commands.json
-grep -qE -- '-O3.*engine/kernel\.cpp' "$commands" || fail "the engine is not optimised"
+grep -qE -- '-O3.*zraka_isa_portable\.dir/(Unity|engine/kernel)' "$commands" || fail "the engine is not optimised"
 grep -qE -- '-O3.*main\.cpp' "$commands" && fail "the project's own code gets our options"
 for room in apps tests src/school bench; do
   grep -q "\"file\": \"$PWD/$room/" "$commands" && fail "$room/ is built, too"
