@@ -262,9 +262,8 @@ void surfaces_of_instance(const FrozenShapes<typename L::Real, Body>& bodies, st
     const V3<double> normal = x * n(0) + y * n(1) + z * n(2);
     const double stretch = sqrt(dot(normal, normal));
     out.set(lane, point, normal * (1 / stretch));
-    const double rounding = out.largest(lane) * kBodyOffset<R>;
-    const auto own = static_cast<double>(found.offset[lane]);
-    out.offset[lane] = static_cast<R>(own / stretch + (own < 0 ? -rounding : rounding));
+    out.offset[lane] = static_cast<R>(out.largest(lane) * kBodyOffset<R> +
+                                      static_cast<double>(found.offset[lane]) / stretch);
     out.inside[lane] = found.inside[lane];
     out.material[lane] =
         found.material[lane] >= 0 ? found.material[lane] : bodies.material[body];

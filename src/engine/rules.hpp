@@ -21,6 +21,8 @@ struct Rules {
     return {select(inside, -outward.x, outward.x), select(inside, -outward.y, outward.y),
             select(inside, -outward.z, outward.z)};
   }
+  /// Whether N of R = -aN - bU looks to the viewer wherever N elsewhere does not.
+  static constexpr bool kTurnsToViewer = true;
   /// The normal of R = -aN - bU.
   template <class F, class M>
   ZRAKA_INLINE V3<F> refraction_normal(const V3<F>& seen, M /*inside*/) const {

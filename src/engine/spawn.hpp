@@ -54,13 +54,22 @@ struct HitLanes {
         offset(L::load(scratch.offset + h)),
         cosine(dot(view, normal)) {}
 
-  /// The same with the normal that the refracted ray is computed from.
+  /// The same with the normal that the refracted ray is computed from: on the viewer's side, also
+  /// where a blended or bent one looks past the viewer.
   template <class Ruling>
   ZRAKA_INLINE HitLanes for_refraction(const Scratch<R>& scratch, std::size_t h,
                                        const Ruling& rules) const {
     HitLanes hit = *this;
     hit.normal = rules.refraction_normal(normal, L::load(scratch.inside + h) > F(0));
     hit.cosine = dot(view, hit.normal);
+    if constexpr (Ruling::kTurnsToViewer) {
+      const auto past = hit.cosine < F(0);
+      hit.normal = {select(past, -hit.normal.x, hit.normal.x),
+                    select(past, -hit.normal.y, hit.normal.y),
+                    select(past, -hit.normal.z, hit.normal.z)};
+      hit.offset = select(past, -hit.offset, hit.offset);  // along what it was
+      hit.cosine = abs(hit.cosine);
+    }
     return hit;
   }
 };

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 
 #include "explain/general_reader.hpp"
@@ -217,7 +218,8 @@ void TreeReader::at_children(const Level<float>& level, const Level<float>& next
     const Terms& stage = settings_.terms;
     if (stage.refraction && at.k2 != 0) {
       const float quarter_d = terms_.at(Quantity::quarter_d, h);
-      at.snell = {.cosine = terms_.at(Quantity::cosine, h),
+      const float cosine = terms_.at(Quantity::cosine, h);
+      at.snell = {.cosine = settings_.variation == 0 ? std::fabs(cosine) : cosine,
                   .ratio = terms_.at(Quantity::ratio, h),
                   .quarter_d = quarter_d,
                   .total = !(quarter_d >= 0)};

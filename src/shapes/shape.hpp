@@ -54,9 +54,9 @@ struct SurfacePoint {
   using F = typename L::F;
   using M = typename L::M;
   V3<F> point;
-  V3<F> normal;  ///< unit length, outward; inward where a smooth face is seen past its outline
+  V3<F> normal;  ///< unit length, outward
   F offset;      ///< a ray that starts this far along the normal surely starts outside
-  M inside;      ///< the ray came from within; then `normal` is turned to face the viewer
+  M inside;      ///< the ray came from within
 };
 
 }  // namespace ZRAKA_ISA

@@ -72,17 +72,12 @@ struct ShapeLanes<SmoothTriangle, L> {
     const V3<F> normal{select(good, blended.x * scale, seen.normal.x * flat_scale),
                        select(good, blended.y * scale, seen.normal.y * flat_scale),
                        select(good, blended.z * scale, seen.normal.z * flat_scale)};
-    // At an outline the blended normal may look away from a ray that comes to the face from outside.
-    // The face says which side it is; shading takes the normal that looks to the viewer; and the
-    // next rays start off the face, against that normal, or they would hit the face again.
+    // At an outline the blended normal may look past the viewer, who sees the face's outer side all
+    // the same. Which side that is, the face says, so that light goes on evenly up to the outline.
     const F outward = dot(normal, seen.normal);  // negative: the corners run the other way round
-    const F along_face = dot(seen.normal, direction), along = dot(normal, direction);
-    const F turned = select(along > F(0.0f), outward, -outward);
-    const auto against = select(along_face > F(0.0f), turned, -turned) < F(0.0f);
-    const auto turn = [&](const F& v) { return select(against, -v, v); };
-    const F offset = TriangleLanes<L>::offset_at(seen, on_surface);
-    return {on_surface, {turn(normal.x), turn(normal.y), turn(normal.z)}, turn(offset),
-            turn(along) > F(0.0f)};
+    const F along = dot(seen.normal, direction);
+    return {on_surface, normal, TriangleLanes<L>::offset_at(seen, on_surface),
+            select(outward < F(0.0f), -along, along) > F(0.0f)};
   }
 };
 

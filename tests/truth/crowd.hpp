@@ -121,9 +121,9 @@ class Crowd {
     if (numbers == Numbers::floats) return world(0x1p-21L * reach);
     return world(0x1p-49L * reach) + rounding();
   }
-  /// The offset that a surface promises, in the world, whichever way.
+  /// The offset that a surface promises, in the world.
   Real offset(const ProbeSurface& found, Numbers numbers) const {
-    return world(std::fabs(Real{found.offset})) + (numbers == Numbers::doubles ? rounding() : 0);
+    return world(Real{found.offset}) + (numbers == Numbers::doubles ? rounding() : 0);
   }
   /// What is lost of numbers in double on the way from the world into the engine's frame.
   Real rounding() const {

@@ -148,7 +148,9 @@ void spawn_at(const Batch<R>& batch, std::size_t h, Spawner<R>& spawner, Level<R
   V3<R> reflection = terms.reflection ? hit.k1 : V3<R>{};
   const V3<R> refraction = terms.refraction ? hit.k2 : V3<R>{};
   const V3<double> normal = batch.normal(h), view = batch.view(h);
-  const double cosine = dot(view, normal);
+  // A blended or bent normal may look past the viewer; that of refraction does not.
+  const double seen = dot(view, normal), cosine = std::fabs(seen);
+  const V3<double> turned = seen < 0 ? -normal : normal;
   hit.cosine = cosine;
   hit.ratio = hit.n1 = hit.n2 = 1;
   hit.refracts = !is_zero(refraction);
@@ -198,14 +200,14 @@ void spawn_at(const Batch<R>& batch, std::size_t h, Spawner<R>& spawner, Level<R
   hit.reflection = reflection;
   if (!is_zero(reflection))
     hit.reflected_cut = !spawner.add(h, RayKind::reflected, reflection,
-                                     normal * (2 * cosine) - view, ray.wavelength);
+                                     normal * (2 * seen) - view, ray.wavelength);
   hit.refraction = {};
   for (int i = 0; i < count; ++i) {
     const Part& part = parts[i];
     hit.refraction = hit.refraction + part.share;
     const double a = std::sqrt(part.bend.quarter_d) - part.bend.ratio * cosine;
     if (!is_zero(part.share) &&
-        !spawner.add(h, RayKind::refracted, part.share, -(normal * a) - view * part.bend.ratio,
+        !spawner.add(h, RayKind::refracted, part.share, -(turned * a) - view * part.bend.ratio,
                      part.wavelength))
       hit.refracted_cut = true;
   }

@@ -42,6 +42,7 @@ struct MistakenRules : Rules {
   ZRAKA_INLINE bool turns_for_refraction() const {
     return is(Mistake::normal_for_refraction);
   }
+  static constexpr bool kTurnsToViewer = false;  // some mistakes are that it does not
   template <class F, class M>
   ZRAKA_INLINE V3<F> refraction_normal(const V3<F>& seen, M inside) const {
     return is(Mistake::normal_for_refraction) ? Rules::seen_normal(seen, inside) : seen;
