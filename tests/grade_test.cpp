@@ -240,7 +240,7 @@ TEST(Grade, SaysWhichOtherStageAPictureIsRightAs) {
   save_png(grader.picture(7), folder.file("shadows.png"));
   const Grade grade = grader.grade(folder.path.string());
   ASSERT_EQ(grade.stages.size(), 7u);
-  EXPECT_EQ(grade.marks, 5);
+  EXPECT_EQ(grade.marks, 5.5);  // half for the third, which a known mistake may have hidden
   const StageGrade &third = grade.stages[2], &fifth = grade.stages[4];
   EXPECT_EQ(third.right_as, 2);
   EXPECT_NE(third.verdict, Verdict::mistaken);
