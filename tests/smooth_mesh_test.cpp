@@ -72,7 +72,7 @@ double most_off(const Scene& scene, Isa isa, Expected expected) {
       const double size = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
       const double length = length_within(eye, {way.x / size, way.y / size, way.z / size});
       if (length > 0 && length < 1e-3) continue;
-      const float* pixel = image.row(static_cast<std::size_t>(y)) + 3 * x;
+      const float* pixel = image.row(static_cast<std::uint32_t>(y)) + 3 * x;
       most = std::max(most, std::fabs(static_cast<double>(pixel[0]) - expected(length)));
     }
   return most;
