@@ -123,6 +123,7 @@ void move_onto(Fitted& fitted, const Image& wanted, bool scales) {
   const double w = wanted.width, h = wanted.height;
   double least = robust_distance(fitted.image, wanted, fitted.region);
   for (int i = 0; i < kSteps; ++i) {
+    if (fitted.source == nullptr) return;  // the whole, pixel by pixel
     const std::optional<Motion> motion =
         motion_between(fitted.image, wanted, fitted.region, scales);
     if (!motion) return;
