@@ -223,6 +223,20 @@ TEST_F(HandedIn, IsFoundToATenthOfAPixel) {
   EXPECT_EQ(fitted.placement.across, 1);
 }
 
+TEST_F(HandedIn, IsMovedNoMoreWhereItIsTheWholePixelByPixel) {
+  // In its own size it is the whole: there is no other source to move it from.
+  const Image& right = grader.picture(7);
+  for (const double shift : {0.1, 0.3, 0.6, 1.0})
+    for (const double growth : {0x1p-6, 0x1p-7, 0x1p-8, 0x1p-9, 0x1p-10}) {
+      const Image moved = shifted(right, shift, shift / 2);
+      const double edge = -0.5 * kSide * growth;
+      Fitted fitted = fitted_at({{}, {edge, edge, 1 + growth, 1 + growth}, 1}, moved, false, kSide,
+                                kSide);
+      refine(fitted, right);
+      EXPECT_NEAR(fitted.placement.left + 0.5 * kSide * (fitted.placement.across - 1), shift, 1.5);
+    }
+}
+
 TEST_F(HandedIn, LosesInAJpegWhatOthersLoseInIt) {
   const Image right = grader.picture(7);
   const std::string file = jpeg_file(right, 60);
