@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rendering.hpp"
 
+#include "scene/view.hpp"
+
 namespace zraka::python {
+
+View view_of(const py::object& eye, const py::object& target, const py::object& fov,
+             const py::object& up, const Resolution& size) {
+  return value_of(
+      view_at(vector_of(eye, "eye"), vector_of(target, "target"), size,
+              number_of(fov, "fov", "degrees of more than 0 and less than 180", 0, true),
+              vector_of(up, "up")));
+}
 
 RenderOptions options_of(const RenderDefaults& defaults, const Keywords& keywords) {
   RenderOptions options = zraka::options_of(defaults);

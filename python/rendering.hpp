@@ -18,6 +18,10 @@ struct Keywords {
   py::object samples, depth, threads, transparent, outlines, progress, dtype;
 };
 
+/// Raises ValueError where there is nothing to be seen from there.
+View view_of(const py::object& eye, const py::object& target, const py::object& fov,
+             const py::object& up, const Resolution& resolution);
+
 RenderOptions options_of(const RenderDefaults& defaults, const Keywords& keywords);
 
 /// An array of height × width × 3 or 4, and the buffer that it is.
