@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "picture_of.hpp"
 #include "scene/freeze.hpp"
 #include "scenes.hpp"
 
@@ -15,12 +16,6 @@ constexpr std::uint32_t kSide = 32;
 #else
 constexpr std::uint32_t kSide = 120;
 #endif
-
-Image picture_of(const Scene& scene, const RenderOptions& options = {}) {
-  const Result<Rendering> rendering = render(scene, options);
-  if (!rendering) ADD_FAILURE() << to_string(rendering.error().front());
-  return rendering ? rendering->image : Image();
-}
 
 double against_oracle(const Scene& scene) {
   return agreement(picture_of(scene), picture_of(scene, {.isa = Isa::oracle}), 1.0f / 255);

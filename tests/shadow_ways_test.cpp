@@ -4,16 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "optics_scenes.hpp"
+#include "picture_of.hpp"
 #include "render/prepare.hpp"
 
 namespace zraka {
 namespace {
-
-Image picture_of(const Scene& scene, const RenderOptions& options) {
-  const Result<Rendering> rendering = render(scene, options);
-  if (!rendering) ADD_FAILURE() << to_string(rendering.error().front());
-  return rendering ? rendering->image : Image();
-}
 
 /// All lights are seen as balls that throw no shadow, in one of which another light is; they may
 /// absorb.

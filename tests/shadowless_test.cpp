@@ -11,18 +11,13 @@
 
 #include "explain/json.hpp"
 #include "fold.hpp"
+#include "picture_of.hpp"
 #include "render/isa.hpp"
 #include "render/prepare.hpp"
 #include "scenes.hpp"
 
 namespace zraka {
 namespace {
-
-Image picture_of(const Scene& scene, const RenderOptions& options) {
-  const Result<Rendering> rendering = render(scene, options);
-  if (!rendering) ADD_FAILURE() << to_string(rendering.error().front());
-  return rendering ? rendering->image : Image();
-}
 
 /// Balls on a floor, so many, and a light above; material 2 throws no shadow.
 Scene lit_balls(int count) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "picture_of.hpp"
 #include "scenes.hpp"
 
 namespace zraka {
@@ -53,16 +54,10 @@ Scene clear_octahedron(bool turned) {
   return scene;
 }
 
-Image picture_of(const Scene& scene, Isa isa) {
-  const Result<Rendering> rendering = render(scene, {.max_depth = 9, .isa = isa});
-  if (!rendering) ADD_FAILURE() << to_string(rendering.error().front());
-  return rendering ? rendering->image : Image();
-}
-
 /// The largest difference from what a function of the length within the octahedron says.
 template <class Expected>
 double most_off(const Scene& scene, Isa isa, Expected expected) {
-  const Image image = picture_of(scene, isa);
+  const Image image = picture_of(scene, {.max_depth = 9, .isa = isa});
   const Vec3 eye = scene.camera.eye;
   double most = 0;
   for (int y = 0; y < kSide; ++y)
