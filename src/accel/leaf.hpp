@@ -177,11 +177,9 @@ std::uint32_t blocked_in_queue(const FrozenScene<R>& scene, const FrozenShapes<R
   const auto pairs_hit = intersect_pairs<true, L>(shapes, bundle, queue, t);
   const auto nearer =
       both(pairs_hit.distance > F(0), pairs_hit.distance < L::look_up(t, pairs_hit.ray));
-  std::uint32_t lanes = bits(both(nearer, pairs_hit.active)), blocked = 0;
-  if (scene.shadowless != nullptr)
-    for (std::uint32_t asked = lanes; asked != 0; asked &= asked - 1)
-      if (is_shadowless(scene, shapes, pairs_hit.shape[__builtin_ctz(asked)]))
-        lanes &= ~(asked & (0u - asked));
+  std::uint32_t blocked = 0;
+  std::uint32_t lanes = that_throw_shadows(scene, shapes, bits(both(nearer, pairs_hit.active)),
+                                           [&](int lane) { return pairs_hit.shape[lane]; });
   if (lanes == 0) return 0;
   alignas(64) std::int32_t ray[L::kWidth];
   L::store(pairs_hit.ray, ray);
@@ -242,9 +240,11 @@ ZRAKA_INLINE std::uint32_t blocked_in_leaf(const FrozenScene<R>& scene, const Bu
                               [&](std::size_t i, std::int32_t first, F distance,
                                   const auto& shapes) {
                                 const auto hit = both(distance > F(0), distance < F(t[i]));
-                                if (any(hit) && that_throw_shadows(scene, shapes,
-                                                                   first - shapes.first_slot,
-                                                                   bits(hit)) != 0)
+                                const auto index = [&](int lane) {
+                                  return first - shapes.first_slot + lane;
+                                };
+                                if (any(hit) &&
+                                    that_throw_shadows(scene, shapes, bits(hit), index) != 0)
                                   blocked_rays |= 1u << i;
                               });
   if (blocked_rays != 0) last = {entry.child, entry.leaf};

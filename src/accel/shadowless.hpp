@@ -13,16 +13,16 @@ ZRAKA_INLINE bool is_shadowless(const FrozenScene<R>& scene, const FrozenShapes<
   return scene.shadowless != nullptr && scene.shadowless[shapes.material[i]] != 0;
 }
 
-/// Of the shapes from one on, a bit each, those that throw shadows.
-template <class R, class Shape>
+/// Of lanes, a bit each, those whose shapes throw shadows; index(lane) is a lane's.
+template <class R, class Shape, class Index>
 ZRAKA_INLINE std::uint32_t that_throw_shadows(const FrozenScene<R>& scene,
                                               const FrozenShapes<R, Shape>& shapes,
-                                              std::int32_t first, std::uint32_t which) {
-  if (scene.shadowless == nullptr) return which;
+                                              std::uint32_t lanes, const Index& index) {
+  if (scene.shadowless == nullptr) return lanes;
   std::uint32_t throwing = 0;
-  for (; which != 0; which &= which - 1)
-    if (!is_shadowless(scene, shapes, first + __builtin_ctz(which)))
-      throwing |= which & (0u - which);
+  for (; lanes != 0; lanes &= lanes - 1)
+    if (!is_shadowless(scene, shapes, index(__builtin_ctz(lanes))))
+      throwing |= lanes & (0u - lanes);
   return throwing;
 }
 
