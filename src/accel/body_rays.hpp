@@ -16,6 +16,7 @@ struct BodyQuery {
   static constexpr std::size_t kRoom = L::kWidth + 16;
   alignas(64) R origin[3][kRoom], direction[3][kRoom], limit[kRoom];
   alignas(64) std::int32_t body[kRoom];
+  bool one_body = false;    ///< all lanes' are the same
   alignas(64) R t[kRoom];  ///< the answer: the nearest hit, not positive where there is none
 };
 
@@ -31,6 +32,7 @@ template <class D>
 struct SharedNumbers {
   const double* row;
   ZRAKA_INLINE typename D::F operator()(int k) const { return typename D::F(row[k]); }
+  const double* of(std::size_t /*lane*/) const { return row; }
 };
 /// Or each lane's.
 template <class D>
@@ -38,6 +40,7 @@ struct OwnNumbers {
   const double* numbers;
   const std::int32_t* start;
   ZRAKA_INLINE typename D::F operator()(int k) const { return D::gather(numbers + k, start); }
+  const double* of(std::size_t lane) const { return numbers + start[lane]; }
 };
 
 /// A ray in a body's own space, and the way back to its distances: t = (s + before)·unit.
@@ -70,16 +73,23 @@ template <class Row>
 struct NumbersAfter {
   const Row& row;
   ZRAKA_INLINE auto operator()(int k) const { return row(kBodyNumbers + k); }
+  const double* of(std::size_t lane) const { return row.of(lane) + kBodyNumbers; }
 };
 
-/// Crossings of a body of this type, whose numbers are `row`, as distances along the rays.
+/// Crossings of a body of this type, whose numbers are `row`, as distances along the rays, and the
+/// rays in its own space. A function of its own, for it is long: hits, surfaces and CSG share it.
 template <class Shape, class D, class Row>
-ZRAKA_INLINE void cross_body(const Row& row, const V3<typename D::F>& origin,
-                             const V3<typename D::F>& direction,
-                             typename D::F (&at)[BodyLanes<Shape, D>::kMost]) {
-  const BodyView<typename D::F> view = view_of(row, origin, direction);
-  BodyLanes<Shape, D>::cross(NumbersAfter<Row>{row}, view.ray, at);
-  for (auto& s : at) s = view.distance(s);
+__attribute__((noinline)) BodyView<typename D::F> crossings(const Row& row,
+                                                            const V3<typename D::F>& origin,
+                                                            const V3<typename D::F>& direction,
+                                                            typename D::F* at) {
+  using F = typename D::F;
+  constexpr int kMost = BodyLanes<Shape, D>::kMost;
+  const BodyView<F> view = view_of(row, origin, direction);
+  F found[kMost];
+  BodyLanes<Shape, D>::cross(NumbersAfter<Row>{row}, view.ray, found);
+  for (int k = 0; k < kMost; ++k) at[k] = view.distance(found[k]);
+  return view;
 }
 
 /// The first of crossings that lies in front; kNever where none does.
@@ -112,6 +122,28 @@ ZRAKA_INLINE void each_part(std::uint32_t lanes, const Function& function) {
     if (const std::uint32_t asked = lanes >> c & kAll; asked != 0) function(c, asked);
 }
 
+/// Calls function(row) with the numbers of the bodies that lanes [c, c + kWidth) of a query are
+/// asked for: what is the same for all of them is not gathered.
+template <class L, class Function>
+ZRAKA_INLINE void with_numbers(const FrozenShapes<typename L::Real, Body>& bodies,
+                               const BodyQuery<L>& query, std::size_t c, std::uint32_t asked,
+                               const Function& function) {
+  using D = DoublesOf<L>;
+  const std::int32_t first = query.body[c + static_cast<std::size_t>(__builtin_ctz(asked))];
+  if (query.one_body) return function(SharedNumbers<D>{bodies.numbers + bodies.start[first]});
+  std::int32_t start[D::kWidth];
+  bool shared = true;
+  for (std::size_t lane = 0; lane < D::kWidth; ++lane) {
+    const std::int32_t body = (asked >> lane & 1) != 0 ? query.body[c + lane] : first;
+    shared = shared && body == first;
+    start[lane] = bodies.start[body];
+  }
+  if (shared)
+    function(SharedNumbers<D>{bodies.numbers + start[0]});
+  else
+    function(OwnNumbers<D>{bodies.numbers, start});
+}
+
 /// The nearest hits of those lanes of a query, all of bodies of this type.
 template <class Shape, class L>
 void hit_bodies(const FrozenShapes<typename L::Real, Body>& bodies, BodyQuery<L>& query,
@@ -119,17 +151,9 @@ void hit_bodies(const FrozenShapes<typename L::Real, Body>& bodies, BodyQuery<L>
   using D = DoublesOf<L>;
   using F = typename D::F;
   each_part<L>(lanes, [&](std::size_t c, std::uint32_t asked) {
-    const std::int32_t first = query.body[c + static_cast<std::size_t>(__builtin_ctz(asked))];
-    std::int32_t start[D::kWidth];
-    bool shared = true;
-    for (std::size_t lane = 0; lane < D::kWidth; ++lane) {
-      const std::int32_t body = (asked >> lane & 1) != 0 ? query.body[c + lane] : first;
-      shared = shared && body == first;
-      start[lane] = bodies.start[body];
-    }
     const V3<F> origin = load_doubles<L>(query.origin, c);
     const V3<F> direction = load_doubles<L>(query.direction, c);
-    const auto cross = [&](const auto& row) {
+    with_numbers<L>(bodies, query, c, asked, [&](const auto& row) {
       if constexpr (std::is_same_v<Shape, Plane>) {
         const auto miss =
             surely_miss_plane<D>(row, origin, direction, D::load_reals(query.limit + c));
@@ -137,13 +161,9 @@ void hit_bodies(const FrozenShapes<typename L::Real, Body>& bodies, BodyQuery<L>
         if (asked == 0) return;
       }
       F at[BodyLanes<Shape, D>::kMost];
-      cross_body<Shape, D>(row, origin, direction, at);
+      crossings<Shape, D>(row, origin, direction, at);
       answer<L>(query, c, asked, first_in_front(at));
-    };
-    if (shared)
-      cross(SharedNumbers<D>{bodies.numbers + start[0]});
-    else
-      cross(OwnNumbers<D>{bodies.numbers, start});
+    });
   });
 }
 

@@ -20,9 +20,7 @@ using CrossFunction = void (*)(const double* row, const V3<typename D::F>& origi
 template <class Shape, class D>
 void cross_shared(const double* row, const V3<typename D::F>& origin,
                   const V3<typename D::F>& direction, typename D::F* at) {
-  typename D::F found[BodyLanes<Shape, D>::kMost];
-  cross_body<Shape, D>(SharedNumbers<D>{row}, origin, direction, found);
-  for (int k = 0; k < BodyLanes<Shape, D>::kMost; ++k) at[k] = found[k];
+  crossings<Shape, D>(SharedNumbers<D>{row}, origin, direction, at);
 }
 
 /// What members of this type have; nothing where they cannot be members.
@@ -132,12 +130,11 @@ class CsgWay {
     }
   }
 
-  /// Of one ray: the first member that is crossed at t, as a body.
-  std::int32_t member_at(double t) const {
-    for (int i = 0; i < csg_.members(); ++i)
-      for (int k = first_[i]; k < first_[i + 1]; ++k)
-        if (at_[k] == t) return csg_.member(i);
-    return csg_.member(0);
+  /// Whether a member is crossed at t.
+  M crosses(int i, F t) const {
+    M crossed = F(0.0) > F(0.0);
+    for (int k = first_[i]; k < first_[i + 1]; ++k) crossed = either(crossed, at_[k] == t);
+    return crossed;
   }
 
   int members() const { return csg_.members(); }

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bodies against rays, for one instruction set. CMake compiles this file once for each, like
 // engine/kernel.cpp.
-#include "accel/body_surface.hpp"
-#include "accel/csg.hpp"
 #include "accel/group_rays.hpp"
-#include "engine/plane_surfaces.hpp"
-#include "engine/surfaces.hpp"
+#include "engine/body_surfaces.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -108,172 +105,18 @@ typename L::F intersect_bodies(const BodiesInLanes<L>& in_lanes, const V3<typena
   store_rays<L>(origin, direction, query);
   L::store(limit, query.limit);
   L::store(typename L::F(R(-1)), query.t);
-  const bool one = all(in_lanes.which == typename L::I(query.body[0]));
+  query.one_body = all(in_lanes.which == typename L::I(query.body[0]));
   for (std::uint32_t left = bits(limit > typename L::F(R(0))); left != 0;) {
     const std::uint8_t type = bodies.type[query.body[__builtin_ctz(left)]];
     const std::uint32_t same =
-        one ? left
+        query.one_body
+            ? left
             : lanes_with(left, [&](std::size_t i) { return bodies.type[query.body[i]] == type; });
     kFunctions[type](bodies, query, same, any);
     left &= ~same;
   }
   return L::load(query.t);
 }
-
-namespace {
-
-/// Lanes of surfaces in memory, for who changes them one by one.
-template <class L>
-struct SurfaceMemory {
-  using R = typename L::Real;
-  alignas(64) R point[3][L::kWidth], normal[3][L::kWidth], offset[L::kWidth], inside[L::kWidth];
-  alignas(64) std::int32_t material[L::kWidth];
-
-  explicit SurfaceMemory(const Surfaces<L>& s) {
-    using F = typename L::F;
-    L::store(s.at.point.x, point[0]), L::store(s.at.point.y, point[1]);
-    L::store(s.at.point.z, point[2]), L::store(s.at.normal.x, normal[0]);
-    L::store(s.at.normal.y, normal[1]), L::store(s.at.normal.z, normal[2]);
-    L::store(s.at.offset, offset);
-    L::store(select(s.at.inside, F(R(1)), F(R(0))), inside);
-    L::store(s.material, material);
-  }
-  Surfaces<L> back() const {
-    return {{{L::load(point[0]), L::load(point[1]), L::load(point[2])},
-             {L::load(normal[0]), L::load(normal[1]), L::load(normal[2])},
-             L::load(offset),
-             L::load(inside) > typename L::F(R(0))},
-            L::load(material)};
-  }
-  void set(std::size_t lane, const V3<double>& at, const V3<double>& way) {
-    point[0][lane] = static_cast<R>(at.x), point[1][lane] = static_cast<R>(at.y);
-    point[2][lane] = static_cast<R>(at.z), normal[0][lane] = static_cast<R>(way.x);
-    normal[1][lane] = static_cast<R>(way.y), normal[2][lane] = static_cast<R>(way.z);
-  }
-  double largest(std::size_t lane) const {
-    const auto size = [&](int k) { return __builtin_fabs(static_cast<double>(point[k][lane])); };
-    return max(size(0), max(size(1), size(2)));
-  }
-};
-
-/// Points are rounded once and normals nearly exact: as much as shapes in float take is plenty. In
-/// double, what a body's own space loses counts besides.
-template <class R>
-constexpr double kBodyOffset = sizeof(R) == 4 ? 0x1p-20 : 0x1p-47;
-template <class R>
-constexpr double kOwnOffset = sizeof(R) == 4 ? 0x1p-30 : 0x1p-47;
-
-template <class L>
-V3<double> one_of(const typename L::Real (&v)[3][BodyQuery<L>::kRoom], std::size_t lane) {
-  return {static_cast<double>(v[0][lane]), static_cast<double>(v[1][lane]),
-          static_cast<double>(v[2][lane])};
-}
-
-template <class L>
-void surface_of_body(const FrozenShapes<typename L::Real, Body>& bodies, std::int32_t body,
-                     std::size_t lane, const BodyQuery<L>& query, SurfaceMemory<L>& out,
-                     HitPath* paths) {
-  using R = typename L::Real;
-  const BodyHit hit = isa_oracle::body_hit(bodies, body, one_of<L>(query.origin, lane),
-                                           one_of<L>(query.direction, lane));
-  out.set(lane, hit.point, hit.normal);
-  out.offset[lane] =
-      static_cast<R>(out.largest(lane) * kBodyOffset<R> + hit.size * kOwnOffset<R>);
-  out.inside[lane] = hit.inside ? R(1) : R(0);
-  const std::int32_t own = bodies.material[hit.body];
-  out.material[lane] = own >= 0 ? own : bodies.material[body];
-  if (paths != nullptr) paths[lane].body = hit.body;
-}
-
-/// Of the lanes that hit one plane: as surface_of_body(), in lanes.
-template <class L>
-void surfaces_of_plane(const FrozenShapes<typename L::Real, Body>& bodies, std::int32_t body,
-                       std::uint32_t lanes, const BodyQuery<L>& query, SurfaceMemory<L>& out,
-                       HitPath* paths) {
-  using R = typename L::Real;
-  using D = DoublesOf<L>;
-  using F = typename D::F;
-  hits_of_plane<L>(bodies, body, lanes, query,
-                   [&](std::size_t c, std::uint32_t asked, const V3<F>& point,
-                       const V3<double>& normal, const F& size, typename D::M inside) {
-    const auto mine = D::from_bits(asked);
-    const auto put = [&](const F& value, R* to) {
-      D::store_reals(select(mine, value, D::load_reals(to + c)), to + c);
-    };
-    put(point.x, out.point[0]), put(point.y, out.point[1]), put(point.z, out.point[2]);
-    put(F(normal.x), out.normal[0]), put(F(normal.y), out.normal[1]);
-    put(F(normal.z), out.normal[2]);
-    const auto length = [&](const R* at) { return abs(D::load_reals(at + c)); };
-    const F largest =
-        max(length(out.point[0]), max(length(out.point[1]), length(out.point[2])));
-    put(largest * F(kBodyOffset<R>) + size * F(kOwnOffset<R>), out.offset);
-    put(select(inside, F(1.0), F(0.0)), out.inside);
-  });
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
-    out.material[lane] = bodies.material[body];
-    if (paths != nullptr) paths[lane].body = body;
-  }
-}
-
-/// Puts an instance in front of a path within its group, whose frame is reached by these columns
-/// and this origin.
-void add_instance(std::int32_t body, const void* group, const V3<double>& x, const V3<double>& y,
-                  const V3<double>& z, const V3<double>& origin, const HitPath& inner,
-                  HitPath& out) {
-  out.group = inner.group != nullptr ? inner.group : group;
-  out.slot = inner.slot;
-  out.body = inner.body;
-  out.depth = inner.depth + 1;
-  out.instance[0] = body;
-  for (int i = 0; i < inner.depth; ++i) out.instance[i + 1] = inner.instance[i];
-  for (int k = 0; k < 12; k += 3) {
-    const double* const v = inner.to_frame + k;
-    const V3<double> moved = x * v[0] + y * v[1] + z * v[2] + (k == 9 ? origin : V3<double>{0, 0, 0});
-    out.to_frame[k] = moved.x, out.to_frame[k + 1] = moved.y, out.to_frame[k + 2] = moved.z;
-  }
-}
-
-/// Of the lanes that hit one instance: the group is traced once more, as it was for the hits, to
-/// know what they have hit there.
-template <class L>
-void surfaces_of_instance(const FrozenShapes<typename L::Real, Body>& bodies, std::int32_t body,
-                          std::uint32_t lanes, const BodyQuery<L>& query, SurfaceMemory<L>& out,
-                          HitPath* paths) {
-  using R = typename L::Real;
-  const GroupRays<L> group_rays(bodies, body, query, lanes, false);
-  RayGroup<L> rays = group_rays.rays();
-  nearest_in_group<L>(group_rays.group(), rays);
-  const RayLanes<L>& ray = rays.ray[0];
-  HitPath inner[L::kWidth];
-  const SurfaceMemory<L> found(surfaces_at<L>(group_rays.group(), ray.slot, ray.origin,
-                                              ray.direction, ray.t,
-                                              paths == nullptr ? nullptr : inner));
-  const double* const row = bodies.numbers + bodies.start[body];
-  const V3<double> center{row[0], row[1], row[2]}, x{row[3], row[4], row[5]},
-      y{row[6], row[7], row[8]}, z{row[9], row[10], row[11]};
-  const V3<double> yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
-  const double determinant = 1 / dot(x, yz);
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
-    const auto at = [&](int k) { return static_cast<double>(found.point[k][lane]); };
-    const auto n = [&](int k) { return static_cast<double>(found.normal[k][lane]); };
-    const V3<double> point = center + (yz * at(0) + zx * at(1) + xy * at(2)) * determinant;
-    const V3<double> normal = x * n(0) + y * n(1) + z * n(2);
-    const double stretch = sqrt(dot(normal, normal));
-    out.set(lane, point, normal * (1 / stretch));
-    out.offset[lane] = static_cast<R>(out.largest(lane) * kBodyOffset<R> +
-                                      static_cast<double>(found.offset[lane]) / stretch);
-    out.inside[lane] = found.inside[lane];
-    out.material[lane] =
-        found.material[lane] >= 0 ? found.material[lane] : bodies.material[body];
-    if (paths != nullptr)
-      add_instance(body, &group_rays.group(), yz * determinant, zx * determinant,
-                   xy * determinant, center, inner[lane], paths[lane]);
-  }
-}
-
-}  // namespace
 
 template <class L>
 void surfaces_of_bodies(const FrozenShapes<typename L::Real, Body>& bodies, typename L::I slot,
@@ -289,20 +132,30 @@ void surfaces_of_bodies(const FrozenShapes<typename L::Real, Body>& bodies, type
   L::store(t * typename L::F(typename L::Real(1.0f + 0x1p-18f)), query.limit);
   SurfaceMemory<L> memory(surfaces);
   while (left != 0) {
-    const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
-    const std::int32_t body = query.body[lane];
-    const bool is_plane = bodies.type[body] == kTypePlane;
-    if (!is_plane && bodies.type[body] != kTypeInstance) {
-      surface_of_body<L>(bodies, body, lane, query, memory, paths);
-      left &= left - 1;
+    const std::int32_t body = query.body[__builtin_ctz(left)];
+    const std::uint8_t type = bodies.type[body];
+    const SurfaceFunction<L> together = kSurfaceFunctions<L>[type];
+    const std::uint32_t mine = lanes_with(left, [&](std::size_t i) {
+      return together == nullptr ? query.body[i] == body : bodies.type[query.body[i]] == type;
+    });
+    left &= ~mine;
+    if (type == kTypeInstance) {
+      surfaces_of_instance<L>(bodies, body, mine, query, memory, paths);
       continue;
     }
-    const std::uint32_t mine = lanes_with(left, [&](std::size_t i) { return query.body[i] == body; });
-    if (is_plane)
-      surfaces_of_plane<L>(bodies, body, mine, query, memory, paths);
-    else
-      surfaces_of_instance<L>(bodies, body, mine, query, memory, paths);
-    left &= ~mine;
+    std::int32_t hit[L::kWidth];  // of CSG, its member
+    if (together == nullptr) {
+      surfaces_of_csg<L>(bodies, body, mine, query, memory, hit);
+    } else {
+      together(bodies, mine, query, memory);
+      for (std::size_t i = 0; i < L::kWidth; ++i) hit[i] = query.body[i];
+    }
+    for (std::uint32_t lanes = mine; lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
+      const std::int32_t own = bodies.material[hit[lane]];
+      memory.material[lane] = own >= 0 ? own : bodies.material[query.body[lane]];
+      if (paths != nullptr) paths[lane].body = hit[lane];
+    }
   }
   surfaces = memory.back();
 }

@@ -16,6 +16,13 @@ enum BodyType : std::uint8_t {
 #undef ZRAKA_TYPE
       kBodyTypes
 };
+template <class Shape>
+inline constexpr std::uint8_t kTypeOf = kBodyTypes;
+#define ZRAKA_TYPE(Type, plural) \
+  template <>                    \
+  inline constexpr std::uint8_t kTypeOf<Type> = kType##Type;
+ZRAKA_BODIES(ZRAKA_TYPE)
+#undef ZRAKA_TYPE
 
 /// The first numbers of most bodies: the middle in the engine's frame, and the matrix, row by row,
 /// of the map from what is relative to it to the body's own space. Then Placement's numbers.

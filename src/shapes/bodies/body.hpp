@@ -70,6 +70,8 @@ inline constexpr double kNever = __builtin_huge_val();
 ///                                more. Of a closed body at[0] and at[1], at[2] and at[3]… are
 ///                                where it goes in and comes out; -kNever where a ray has been
 ///                                inside forever.
+///   normal(numbers, p)           where it can be told in lanes: the normal that surface() gives
+///                                a point, of the same bits
 /// where numbers(k) is the number k of its Placement in lanes.
 template <class Shape, class D>
 struct BodyLanes;

@@ -186,6 +186,22 @@ struct BodyLanes<Box, D> {
     at[1] = select(hit, span.out, F(kNever));
   }
 
+  template <class Numbers>
+  static ZRAKA_INLINE V3<F> normal(const Numbers& numbers, const V3<F>& p) {
+    const V3<F> past{abs(p.x) - numbers(1), abs(p.y) - numbers(2), abs(p.z) - numbers(3)};
+    const F one(1.0), none(0.0);
+    const V3<F> sign{copy_sign(one, p.x), copy_sign(one, p.y), copy_sign(one, p.z)};
+    const auto x = both(past.x >= past.y, past.x >= past.z), y_or_z = past.y >= past.z;
+    const V3<F> across{select(x, sign.x, none), select(but_not(y_or_z, x), sign.y, none),
+                       select(either(x, y_or_z), none, sign.z)};
+    const auto round =
+        both(numbers(0) > none, max(past.x, max(past.y, past.z)) > none);
+    if (!any(round)) return across;
+    return {select(round, sign.x * max(past.x, none), across.x),
+            select(round, sign.y * max(past.y, none), across.y),
+            select(round, sign.z * max(past.z, none), across.z)};
+  }
+
  private:
   static ZRAKA_INLINE M cross_round(const RoundBox<F>& box, Span<F>& span) {
     clip(span, box.o.x, box.d.x, box.inner.x + box.radius);

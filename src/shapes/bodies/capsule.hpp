@@ -100,6 +100,12 @@ struct BodyLanes<Capsule, D> {
     at[1] = select(hit, all.out, F(kNever));
   }
 
+  template <class Numbers>
+  static ZRAKA_INLINE V3<F> normal(const Numbers& numbers, const V3<F>& p) {
+    const F half = numbers(0);
+    return {p.x, p.y - min(half, max(-half, p.y)), p.z};
+  }
+
  private:
   static ZRAKA_INLINE void include(Span<F>& all, const Span<F>& part) {
     const auto hit = part.in <= part.out;

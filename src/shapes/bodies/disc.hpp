@@ -81,6 +81,11 @@ struct BodyLanes<Disc, D> {
     const F around = x * x + z * z;
     at[0] = select(both(around <= F(1.0), around >= inner * inner), t, F(kNever));
   }
+
+  template <class Numbers>
+  static ZRAKA_INLINE V3<F> normal(const Numbers&, const V3<F>&) {
+    return {F(0.0), F(1.0), F(0.0)};
+  }
 };
 
 }  // namespace ZRAKA_ISA

@@ -66,6 +66,11 @@ struct BodyLanes<Ellipsoid, D> {
     at[0] = select(hit, -half, F(kNever));
     at[1] = select(hit, half, F(kNever));
   }
+
+  template <class Numbers>
+  static ZRAKA_INLINE V3<F> normal(const Numbers&, const V3<F>& p) {
+    return p;
+  }
 };
 
 }  // namespace ZRAKA_ISA

@@ -173,6 +173,19 @@ struct BodyLanes<Frustum, D> {
     at[0] = select(capped, at[0], side_in);
     at[1] = select(capped, at[1], select(first, side_out, never));
   }
+
+  template <class Numbers>
+  static ZRAKA_INLINE V3<F> normal(const Numbers& numbers, const V3<F>& p) {
+    const F middle = numbers(0), growth = numbers(1), none(0.0);
+    const F around = sqrt(p.x * p.x + p.z * p.z), radius = middle + growth * p.y;
+    const F up = select(p.y > none, F(1.0), F(-1.0)), end = middle + growth * up;
+    const F beyond_side = (around - radius) / sqrt(F(1.0) + growth * growth);
+    const auto on_cap = both(both(numbers(2) > none, end > none), abs(p.y) - F(1.0) > beyond_side);
+    const auto off_axis = around > none;
+    return {select(on_cap, none, select(off_axis, p.x / around, none)),
+            select(on_cap, up, -growth),
+            select(on_cap, none, select(off_axis, p.z / around, F(1.0)))};
+  }
 };
 
 }  // namespace ZRAKA_ISA

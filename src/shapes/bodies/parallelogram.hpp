@@ -94,6 +94,11 @@ struct BodyLanes<Parallelogram, D> {
     const auto within = both(abs(o.x + t * d.x) <= F(1.0), abs(o.y + t * d.y) <= F(1.0));
     at[0] = select(within, t, F(kNever));
   }
+
+  template <class Numbers>
+  static ZRAKA_INLINE V3<F> normal(const Numbers&, const V3<F>&) {
+    return {F(0.0), F(0.0), F(1.0)};
+  }
 };
 
 }  // namespace ZRAKA_ISA

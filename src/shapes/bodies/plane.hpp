@@ -55,6 +55,11 @@ struct BodyLanes<Plane, D> {
     at[0] = select(down, t, select(up, ever, select(below, ever, never)));
     at[1] = select(up, t, never);
   }
+
+  template <class Numbers>
+  static ZRAKA_INLINE V3<F> normal(const Numbers&, const V3<F>&) {
+    return {F(0.0), F(1.0), F(0.0)};
+  }
 };
 
 }  // namespace ZRAKA_ISA

@@ -142,6 +142,16 @@ struct BodyLanes<Quadric, D> {
     at[0] = select(has_first, first, later);
     at[1] = select(has_first, later, F(kNever));
   }
+
+  template <class Numbers>
+  static ZRAKA_INLINE V3<F> normal(const Numbers& c, const V3<F>& p) {
+    const V3<F> gradient{F(2.0) * c(0) * p.x + c(3) * p.y + c(4) * p.z + c(6),
+                         c(3) * p.x + F(2.0) * c(1) * p.y + c(5) * p.z + c(7),
+                         c(4) * p.x + c(5) * p.y + F(2.0) * c(2) * p.z + c(8)};
+    const auto some = dot(gradient, gradient) > F(0.0);
+    return {select(some, gradient.x, F(0.0)), select(some, gradient.y, F(1.0)),
+            select(some, gradient.z, F(0.0))};
+  }
 };
 
 }  // namespace ZRAKA_ISA

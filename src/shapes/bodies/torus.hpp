@@ -140,6 +140,14 @@ struct BodyLanes<Torus, D> {
     }
   }
 
+  template <class Numbers>
+  static ZRAKA_INLINE V3<F> normal(const Numbers&, const V3<F>& p) {
+    const F around = sqrt(p.x * p.x + p.z * p.z), x = around - F(1.0);
+    const auto off_axis = around > F(0.0);
+    return {select(off_axis, p.x / around, F(0.0)) * x, p.y,
+            select(off_axis, p.z / around, F(1.0)) * x};
+  }
+
  private:
   /// Sets turns[1…3] to the zeros of the derivative in a span, ascending; where there are fewer,
   /// to other places.
