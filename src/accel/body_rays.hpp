@@ -53,7 +53,8 @@ struct BodyView {
 
 /// `row` are a body's first numbers.
 template <class F, class Row>
-ZRAKA_INLINE BodyView<F> view_of(const Row& row, const V3<F>& origin, const V3<F>& direction) {
+ZRAKA_INLINE BodyView<F> view_of(const Row& row, const V3<F>& origin, const V3<F>& direction,
+                                 bool first_only) {
   const V3<F> o{origin.x - row(kBodyCenter), origin.y - row(kBodyCenter + 1),
                 origin.z - row(kBodyCenter + 2)};
   const auto turn = [&](int k, const V3<F>& v) {
@@ -65,7 +66,7 @@ ZRAKA_INLINE BodyView<F> view_of(const Row& row, const V3<F>& origin, const V3<F
   const F unit = F(1.0) / sqrt(dot(way, way));
   const V3<F> d = way * unit;
   const F before = -dot(own, d);
-  return {{own + d * before, d}, before, unit};
+  return {{own + d * before, d, -before, first_only}, before, unit};
 }
 
 /// The numbers after a body's first.
@@ -77,15 +78,17 @@ struct NumbersAfter {
 };
 
 /// Crossings of a body of this type, whose numbers are `row`, as distances along the rays, and the
-/// rays in its own space. A function of its own, for it is long: hits, surfaces and CSG share it.
+/// rays in its own space; with first_only, as BodyRay has it. A function of its own, for it is
+/// long: hits, surfaces and CSG share it.
 template <class Shape, class D, class Row>
 __attribute__((noinline)) BodyView<typename D::F> crossings(const Row& row,
                                                             const V3<typename D::F>& origin,
                                                             const V3<typename D::F>& direction,
+                                                            bool first_only,
                                                             typename D::F* at) {
   using F = typename D::F;
   constexpr int kMost = BodyLanes<Shape, D>::kMost;
-  const BodyView<F> view = view_of(row, origin, direction);
+  const BodyView<F> view = view_of(row, origin, direction, first_only);
   F found[kMost];
   BodyLanes<Shape, D>::cross(NumbersAfter<Row>{row}, view.ray, found);
   for (int k = 0; k < kMost; ++k) at[k] = view.distance(found[k]);
@@ -161,7 +164,7 @@ void hit_bodies(const FrozenShapes<typename L::Real, Body>& bodies, BodyQuery<L>
         if (asked == 0) return;
       }
       F at[BodyLanes<Shape, D>::kMost];
-      crossings<Shape, D>(row, origin, direction, at);
+      crossings<Shape, D>(row, origin, direction, true, at);
       answer<L>(query, c, asked, first_in_front(at));
     });
   });

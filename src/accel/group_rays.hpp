@@ -35,7 +35,7 @@ class GroupRays {
     alignas(64) R o[3][BodyQuery<L>::kRoom], d[3][BodyQuery<L>::kRoom], t[BodyQuery<L>::kRoom];
     for (std::size_t c = 0; c < L::kWidth; c += D::kWidth) {
       const BodyView<F> view = view_of(numbers, load_doubles<L>(query.origin, c),
-                                       load_doubles<L>(query.direction, c));
+                                       load_doubles<L>(query.direction, c), false);
       // From the point nearest to the middle back to where the ray began, or to where it comes
       // near: before + start is how far that is from the ray's origin.
       const F start = max(-view.before, -reach);

@@ -128,7 +128,7 @@ void surfaces_of(const FrozenShapes<typename L::Real, Body>& bodies, std::uint32
     const V3<F> direction = load_doubles<L>(query.direction, c);
     with_numbers<L>(bodies, query, c, asked, [&](const auto& row) {
       F at[BodyLanes<Shape, D>::kMost];
-      const BodyView<F> view = crossings<Shape, D>(row, origin, direction, at);
+      const BodyView<F> view = crossings<Shape, D>(row, origin, direction, true, at);
       const F t = first_in_front(at);
       const V3<F> normal = normal_at<Shape, D>(row, view, t);
       out.put(c, asked, origin + direction * t, normal, view.unit,
@@ -162,7 +162,7 @@ V3<typename D::F> member_normal(const double* numbers, const V3<typename D::F>& 
                                 const V3<typename D::F>& direction, typename D::F t,
                                 typename D::F& unit) {
   const SharedNumbers<D> row{numbers};
-  const auto view = view_of(row, origin, direction);
+  const auto view = view_of(row, origin, direction, false);
   unit = view.unit;
   return normal_at<Shape, D>(row, view, t);
 }

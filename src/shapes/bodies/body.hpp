@@ -59,6 +59,8 @@ namespace ZRAKA_ISA {
 template <class F>
 struct BodyRay {
   V3<F> origin, direction;
+  F begin;          ///< where along it the ray itself begins
+  bool first_only;  ///< no crossing counts but the first after `begin`
 };
 
 inline constexpr double kNever = __builtin_huge_val();
@@ -69,7 +71,9 @@ inline constexpr double kNever = __builtin_huge_val();
 ///                                which the ray crosses it, ascending, kNever where there are no
 ///                                more. Of a closed body at[0] and at[1], at[2] and at[3]… are
 ///                                where it goes in and comes out; -kNever where a ray has been
-///                                inside forever.
+///                                inside forever. Those before ray.begin, and with
+///                                ray.first_only those after the first behind it, need not be
+///                                right, as long as they stay on their side of it
 ///   normal(numbers, p)           where it can be told in lanes: the normal that surface() gives
 ///                                a point, of the same bits
 /// where numbers(k) is the number k of its Placement in lanes.

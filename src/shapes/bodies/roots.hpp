@@ -22,12 +22,15 @@ struct Bracket {
 
 /// The zero, in the lanes that are wanted, to some 2^-52. Newton's steps as long as they stay
 /// between the ends and become shorter by half each time; else the middle. What is found where
-/// rounding hides the sign is a place of the bracket all the same.
+/// rounding hides the sign is a place of the bracket all the same. Begins with a guess, or in the
+/// middle where that is not between the ends.
 template <class F, class M, class Function>
-ZRAKA_INLINE F zero_in(const Bracket<F, M>& bracket, M wanted, const Function& function) {
+ZRAKA_INLINE F zero_in(const Bracket<F, M>& bracket, M wanted, const Function& function,
+                       F guess = F(kNever)) {
   constexpr int kMostSteps = 128;
   constexpr double kNear = 0x1p-52;
-  F a = bracket.a, b = bracket.b, step = b - a, x = a + step * F(0.5);
+  F a = bracket.a, b = bracket.b, step = b - a;
+  F x = select(both(guess > a, guess < b), guess, a + step * F(0.5));
   for (int k = 0; k < kMostSteps && any(wanted); ++k) {
     const ValueAndSlope<F> f = function(x);
     const auto positive = f.value > F(0.0);

@@ -78,9 +78,9 @@ namespace ZRAKA_ISA {
 /// (|p|² + 1 - r²)² = 4·(x² + z²) is a polynomial of the fourth degree without a cube of t:
 /// t⁴ + a·t² + b·t + c.
 ///
-/// Between the zeros of its derivative there is a zero at most, and between those of the
-/// derivative's derivative, ±√(-a/6), one of the derivative's. The polynomial itself loses much to
-/// cancellation where tubes are thin; (√(x² + z²) - 1)² + y² - r² has the same sign and does not.
+/// Between the zeros of its derivative there is a zero at most. The polynomial itself loses much to
+/// cancellation where tubes are thin; v = (√(x² + z²) - 1)² + y² - r² has the same sign and does
+/// not, and it is v·(v + 4·√(x² + z²)).
 template <class F>
 struct TorusRay {
   V3<F> o, d;
@@ -93,16 +93,26 @@ struct TorusRay {
     b = F(8.0) * (o.y * d.y);
   }
 
-  ZRAKA_INLINE ValueAndSlope<F> at(F t) const {
+  /// v and √(x² + z²).
+  struct Place {
+    F value, around;
+  };
+  ZRAKA_INLINE Place place(F t) const {
     const F x = o.x + t * d.x, y = o.y + t * d.y, z = o.z + t * d.z;
     const F around = sqrt(x * x + z * z), out = around - F(1.0);
-    return {out * out + y * y - tube * tube,
-            F(2.0) * (out * ((x * d.x + z * d.z) / around) + y * d.y)};
+    return {out * out + y * y - tube * tube, around};
   }
-  /// A quarter of the polynomial's derivative.
-  ZRAKA_INLINE ValueAndSlope<F> derivative(F t) const {
-    const F half = a * F(0.5);
-    return {(t * t + half) * t + b * F(0.25), F(3.0) * (t * t) + half};
+  /// v and its slope, both times √(x² + z²).
+  ZRAKA_INLINE ValueAndSlope<F> at(F t) const {
+    const F x = o.x + t * d.x, y = o.y + t * d.y, z = o.z + t * d.z;
+    const F around = max(sqrt(x * x + z * z), F(0x1p-500)), out = around - F(1.0);
+    return {(out * out + y * y - tube * tube) * around,
+            F(2.0) * (out * (x * d.x + z * d.z) + y * d.y * around)};
+  }
+  /// How far from a least place of the polynomial its zeros would be if it were a parabola.
+  ZRAKA_INLINE F reach_of(F t, const Place& there) const {
+    const F value = there.value * (there.value + F(4.0) * there.around);
+    return sqrt(max(-value / (F(6.0) * (t * t) + a), F(0.0)));
   }
 };
 
@@ -122,22 +132,38 @@ struct BodyLanes<Torus, D> {
     const F end = sqrt(max(chord, F(0.0)));
     Span<F> span{-end, end};
     clip(span, ray.origin.y, ray.direction.y, torus.tube);
-    const auto near = both(chord >= F(0.0), span.in <= span.out);
+    const auto near =
+        both(chord >= F(0.0), both(span.in <= span.out, span.out >= ray.begin));
     if (!any(near)) return;
 
     F turns[5] = {span.in, F(0.0), F(0.0), F(0.0), span.out};
-    find_turns(torus, span, near, turns);
+    find_turns(torus, near, turns);
     M inside[5];
     inside[0] = inside[4] = F(0.0) > F(0.0);
-    for (int k = 1; k < 4; ++k) inside[k] = torus.at(turns[k]).value <= F(0.0);
-    for (int k = 3; k >= 0; --k) {
+    F reaches[5] = {F(0.0), F(0.0), F(0.0), F(0.0), F(0.0)};
+    for (int k = 1; k < 4; ++k) {
+      turns[k] = min(max(turns[k], span.in), span.out);
+      const auto there = torus.place(turns[k]);
+      inside[k] = there.value <= F(0.0);
+      reaches[k] = torus.reach_of(turns[k], there);
+    }
+    M crossed[4], open = near;  // where there may be a first crossing still
+    F zeros[4];
+    for (int k = 0; k < 4; ++k) {
       const auto falls = but_not(inside[k + 1], inside[k]),
                  rises = but_not(inside[k], inside[k + 1]);
-      const auto crossed = both(near, either(falls, rises));
-      if (!any(crossed)) continue;
+      crossed[k] = both(near, either(falls, rises));
+      // What is behind a ray's begin need not be found.
+      zeros[k] = turns[k + 1];
+      const auto wanted = but_not(both(crossed[k], open), turns[k + 1] < ray.begin);
+      if (!any(wanted)) continue;
       const Bracket<F, M> bracket{turns[k], turns[k + 1], falls};
-      put_first(crossed, zero_in(bracket, crossed, [&](F t) { return torus.at(t); }), at);
+      const F guess = select(falls, turns[k + 1] - reaches[k + 1], turns[k] + reaches[k]);
+      zeros[k] = select(
+          wanted, zero_in(bracket, wanted, [&](F t) { return torus.at(t); }, guess), zeros[k]);
+      if (ray.first_only) open = but_not(open, both(wanted, zeros[k] > ray.begin));
     }
+    for (int k = 3; k >= 0; --k) put_first(crossed[k], zeros[k], at);
   }
 
   template <class Numbers>
@@ -149,25 +175,33 @@ struct BodyLanes<Torus, D> {
   }
 
  private:
-  /// Sets turns[1…3] to the zeros of the derivative in a span, ascending; where there are fewer,
-  /// to other places.
-  static ZRAKA_INLINE void find_turns(const TorusRay<F>& torus, const Span<F>& span, M near,
-                                      F (&turns)[5]) {
-    const F bend = sqrt(max(torus.a * F(-1.0 / 6), F(0.0)));
-    const auto within = [&](F t) { return min(max(t, span.in), span.out); };
-    const F ends[4] = {span.in, within(-bend), within(bend), span.out};
-    M positive[4];
-    for (int k = 0; k < 4; ++k) positive[k] = torus.derivative(ends[k]).value > F(0.0);
-    for (int k = 0; k < 3; ++k) {
-      const auto falls = but_not(positive[k], positive[k + 1]),
-                 rises = but_not(positive[k + 1], positive[k]);
-      const auto turned = both(near, either(falls, rises));
-      turns[k + 1] = ends[k];
-      if (!any(turned)) continue;
-      const Bracket<F, M> bracket{ends[k], ends[k + 1], falls};
-      const F zero = zero_in(bracket, turned, [&](F t) { return torus.derivative(t); });
-      turns[k + 1] = select(turned, zero, ends[k]);
+  /// Sets turns[1…3] to the zeros of the derivative, ascending: of t³ + p·t + q with p = a/2 and
+  /// q = b/4. The one that is farthest out is of the sign of -q, and alone on its side; Newton's
+  /// steps come down to it from a bound. The others follow from it by their sum and product; where
+  /// they are not real, all three are the one.
+  static ZRAKA_INLINE void find_turns(const TorusRay<F>& torus, M wanted, F (&turns)[5]) {
+    constexpr int kMostSteps = 64;
+    const F p = torus.a * F(0.5), q = torus.b * F(0.25), size = abs(q);
+    // The zero of t³ + p·t = |q| is at most √-p + ∛|q|; and where the slope is known to be
+    // greater, not so much more.
+    const F root = sqrt(size), power = select(size < F(1.0), sqrt(root), root);
+    const F slope = select(p < F(0.0), F(-2.0) * p, p);
+    F x = sqrt(max(-p, F(0.0))) + min(size / slope, power);
+    for (int k = 0; k < kMostSteps && any(wanted); ++k) {
+      const F square = x * x, grows = F(3.0) * square + p;
+      const F next = select(grows > F(0.0), (F(2.0) * square * x + size) / grows, x);
+      const auto falls = x - next > x * F(0x1p-40);
+      x = select(wanted, next, x);
+      wanted = both(wanted, falls);
     }
+    const F apart = F(-3.0) * (x * x) - F(4.0) * p;
+    const auto three = apart > F(0.0), left = q >= F(0.0);
+    const F large = select(three, (x + sqrt(max(apart, F(0.0)))) * F(0.5), x);
+    const F small = select(three, size / (x * large), x);
+    const F outer = select(left, -x, x);
+    turns[1] = select(three, select(left, -x, -large), outer);
+    turns[2] = select(three, select(left, small, -small), outer);
+    turns[3] = select(three, select(left, large, x), outer);
   }
 };
 
