@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <vector>
 #include <zraka/image.hpp>
 
 #include "image/quantize.hpp"
@@ -19,6 +21,21 @@ TEST(Quantize, IsTheLabsRounding) {
   EXPECT_EQ(quantize(0.49f / 255, Transfer::linear, 8), 0);
   EXPECT_EQ(quantize(0.51f / 255, Transfer::linear, 8), 1);
   EXPECT_EQ(quantize(1, Transfer::linear, 16), 65535);
+}
+
+/// Where leading bits change and where they do not; above 0.5 values are nearest to each other.
+TEST(Quantize, HasRowsOfTheSameValues) {
+  for (const Transfer transfer : {Transfer::srgb, Transfer::linear}) {
+    const RowQuantizer quantizer(transfer, 8);
+    std::vector<float> values{0, -1, 2, 0x1p-149f};
+    for (std::uint32_t bits = 0x38000000; bits <= 0x3F800000; bits += 1 << 14)
+      for (const std::uint32_t near : {bits - 1, bits, bits + 1, bits + 5000})
+        values.push_back(std::bit_cast<float>(near));
+    std::vector<unsigned char> stored(values.size());
+    quantizer.row(values.data(), values.size(), stored.data());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      ASSERT_EQ(stored[i], quantize(values[i], transfer, 8)) << values[i];
+  }
 }
 
 TEST(Quantize, ClampsAndTakesNanForBlack) {

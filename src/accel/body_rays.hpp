@@ -51,18 +51,22 @@ struct BodyView {
   ZRAKA_INLINE F distance(F s) const { return (s + before) * unit; }
 };
 
-/// `row` are a body's first numbers.
+/// A direction in the space of the body whose numbers are `row`.
+template <class F, class Row>
+ZRAKA_INLINE V3<F> into_body(const Row& row, const V3<F>& v) {
+  const auto turn = [&](int k) {
+    return row(kBodyMatrix + k) * v.x + row(kBodyMatrix + k + 1) * v.y +
+           row(kBodyMatrix + k + 2) * v.z;
+  };
+  return {turn(0), turn(3), turn(6)};
+}
+
 template <class F, class Row>
 ZRAKA_INLINE BodyView<F> view_of(const Row& row, const V3<F>& origin, const V3<F>& direction,
                                  bool first_only) {
   const V3<F> o{origin.x - row(kBodyCenter), origin.y - row(kBodyCenter + 1),
                 origin.z - row(kBodyCenter + 2)};
-  const auto turn = [&](int k, const V3<F>& v) {
-    return row(kBodyMatrix + k) * v.x + row(kBodyMatrix + k + 1) * v.y +
-           row(kBodyMatrix + k + 2) * v.z;
-  };
-  const V3<F> own{turn(0, o), turn(3, o), turn(6, o)};
-  const V3<F> way{turn(0, direction), turn(3, direction), turn(6, direction)};
+  const V3<F> own = into_body(row, o), way = into_body(row, direction);
   const F unit = F(1.0) / sqrt(dot(way, way));
   const V3<F> d = way * unit;
   const F before = -dot(own, d);
@@ -158,14 +162,12 @@ void hit_bodies(const FrozenShapes<typename L::Real, Body>& bodies, BodyQuery<L>
     const V3<F> direction = load_doubles<L>(query.direction, c);
     with_numbers<L>(bodies, query, c, asked, [&](const auto& row) {
       if constexpr (std::is_same_v<Shape, Plane>) {
-        const auto miss =
-            surely_miss_plane<D>(row, origin, direction, D::load_reals(query.limit + c));
-        asked &= ~bits_of_doubles(miss);
-        if (asked == 0) return;
+        answer<L>(query, c, asked, distance_to_plane(row, origin, direction));
+      } else {
+        F at[BodyLanes<Shape, D>::kMost];
+        crossings<Shape, D>(row, origin, direction, true, at);
+        answer<L>(query, c, asked, first_in_front(at));
       }
-      F at[BodyLanes<Shape, D>::kMost];
-      crossings<Shape, D>(row, origin, direction, true, at);
-      answer<L>(query, c, asked, first_in_front(at));
     });
   });
 }

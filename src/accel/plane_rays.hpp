@@ -1,31 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which rays cannot hit a plane: known without roots and divisions, and of most rays that do not.
+// Rays against bodies without bounds, above all planes. Most scenes stand on one, and every ray asks
+// it: so a plane by itself does without the ray in its own space that other bodies have, and takes
+// one division.
 #pragma once
 
+#include "accel/ray_lanes.hpp"
 #include "math/double_lanes.hpp"
-#include "scene/frozen_bodies.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
-/// Whether rays surely hit the plane of these numbers nowhere before their limits: they go away
-/// from it, or end long before it. Along a ray p + t·d the plane is at t = -p.y / d.y in its own
-/// space. What view_of() and BodyLanes<Plane>::cross() make of it errs by some 2^-50·|p| / |d.y|,
-/// so it says the same where p.y is more than 2^-40·|p|, and is within 2^-9 of that distance.
-template <class D, class Row>
-ZRAKA_INLINE typename D::M surely_miss_plane(const Row& row, const V3<typename D::F>& origin,
-                                             const V3<typename D::F>& direction,
-                                             const typename D::F& limit) {
-  using F = typename D::F;
+/// How fast rays rise above the plane of these numbers, in its own units.
+template <class F, class Row>
+ZRAKA_INLINE F rise_over_plane(const Row& row, const V3<F>& direction) {
+  return dot(V3<F>{row(kBodyMatrix + 3), row(kBodyMatrix + 4), row(kBodyMatrix + 5)}, direction);
+}
+
+/// The distances to the plane of these numbers; not positive where rays do not hit it.
+template <class F, class Row>
+ZRAKA_INLINE F distance_to_plane(const Row& row, const V3<F>& origin, const V3<F>& direction) {
   const V3<F> o{origin.x - row(kBodyCenter), origin.y - row(kBodyCenter + 1),
                 origin.z - row(kBodyCenter + 2)};
-  const V3<F> up{row(kBodyMatrix + 3), row(kBodyMatrix + 4), row(kBodyMatrix + 5)};
-  const F height = abs(dot(up, o)), fall = -dot(up, direction);
-  F stretch(0.0);  // |p| is at most so many times the largest of |o|
-  for (int k = 0; k < 9; ++k) stretch = stretch + abs(row(kBodyMatrix + k));
-  const F size = stretch * max(abs(o.x), max(abs(o.y), abs(o.z)));
-  const F towards = select(dot(up, o) < F(0.0), -fall, fall);
-  return both(height > size * F(0x1p-40),
-              either(towards < F(0.0), height > limit * abs(fall) * F(1 + 0x1p-8)));
+  const F t = -(rise_over_plane(row, o) / rise_over_plane(row, direction));
+  return select(t < F(kFarAway<double>), t, F(-1.0));  // along the plane it is infinite, or none
+}
+
+/// One plane for all lanes of an engine.
+template <class L>
+ZRAKA_INLINE typename L::F intersect_plane(const double* numbers,
+                                           const V3<typename L::F>& origin,
+                                           const V3<typename L::F>& direction) {
+  using F = typename DoublesOf<L>::F;
+  constexpr std::size_t kParts = kDoubleParts<L>;
+  const auto row = [&](int k) { return F(numbers[k]); };
+  F o[3][kParts], d[3][kParts], t[kParts];
+  widen(origin.x, o[0]), widen(origin.y, o[1]), widen(origin.z, o[2]);
+  widen(direction.x, d[0]), widen(direction.y, d[1]), widen(direction.z, d[2]);
+  for (std::size_t i = 0; i < kParts; ++i)
+    t[i] = distance_to_plane(row, V3<F>{o[0][i], o[1][i], o[2][i]},
+                             V3<F>{d[0][i], d[1][i], d[2][i]});
+  return narrow(t);
+}
+
+/// As intersect_shape() one body that has no bounds and stands outside of the hierarchy.
+template <bool kAny, class L>
+ZRAKA_INLINE typename L::F intersect_unbounded(const FrozenShapes<typename L::Real, Body>& bodies,
+                                               std::int32_t i, const RayLanes<L>& ray) {
+  if (bodies.type[i] == kTypePlane)
+    return intersect_plane<L>(bodies.numbers + bodies.start[i], ray.origin, ray.direction);
+  return intersect_bodies<L>({&bodies, typename L::I(i)}, ray.origin, ray.direction, ray.t, kAny);
 }
 
 }  // namespace zraka::ZRAKA_ISA

@@ -155,16 +155,13 @@ ZRAKA_INLINE typename L::F intersect_shape(const NumbersOf<Shape, L>& shape,
     return ShapeLanes<Shape, L>::intersect(shape, origin, direction);
 }
 
-/// Tests one shape against the rays in lanes; a nearer hit, or an equal one of a lower id, replaces
-/// theirs.
+/// Rays in lanes hit one shape at these distances, or not at all; a nearer hit, or an equal one of
+/// a lower id, replaces theirs.
 template <class L, class Shape>
-ZRAKA_INLINE void intersect_one(const FrozenScene<typename L::Real>& scene,
-                                const FrozenShapes<typename L::Real, Shape>& shapes, std::int32_t i,
-                                RayLanes<L>& ray) {
+ZRAKA_INLINE void keep_nearer(const FrozenScene<typename L::Real>& scene,
+                              const FrozenShapes<typename L::Real, Shape>& shapes, std::int32_t i,
+                              typename L::F t, RayLanes<L>& ray) {
   using F = typename L::F;
-  NumbersOf<Shape, L> shape;
-  broadcast_shape<L>(shapes, i, shape);
-  const F t = intersect_shape<false, Shape, L>(shape, ray.origin, ray.direction, ray.t);
   auto nearer = both(t > F(0), t <= ray.t);
   if (!any(nearer)) return;
   const auto equal = both(nearer, t >= ray.t);
@@ -180,6 +177,17 @@ ZRAKA_INLINE void intersect_one(const FrozenScene<typename L::Real>& scene,
   }
   ray.t = select(nearer, t, ray.t);
   ray.slot = select(nearer, typename L::I(shapes.first_slot + i), ray.slot);
+}
+
+/// Tests one shape against the rays in lanes.
+template <class L, class Shape>
+ZRAKA_INLINE void intersect_one(const FrozenScene<typename L::Real>& scene,
+                                const FrozenShapes<typename L::Real, Shape>& shapes, std::int32_t i,
+                                RayLanes<L>& ray) {
+  NumbersOf<Shape, L> shape;
+  broadcast_shape<L>(shapes, i, shape);
+  keep_nearer<L>(scene, shapes, i,
+                 intersect_shape<false, Shape, L>(shape, ray.origin, ray.direction, ray.t), ray);
 }
 
 }  // namespace zraka::ZRAKA_ISA

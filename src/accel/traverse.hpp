@@ -5,6 +5,7 @@
 
 #include "accel/flat_list.hpp"
 #include "accel/leaf.hpp"
+#include "accel/plane_rays.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -112,7 +113,8 @@ template <class L>
 void nearest_outside_hierarchy(const FrozenScene<typename L::Real>& scene, RayGroup<L>& rays) {
   for (RayLanes<L>& ray : rays.ray)
     for (std::int32_t i = scene.bodies.bounded; i < scene.bodies.count; ++i)
-      intersect_one<L>(scene, scene.bodies, i, ray);
+      keep_nearer<L>(scene, scene.bodies, i, intersect_unbounded<false, L>(scene.bodies, i, ray),
+                     ray);
 }
 
 /// Which of the active rays hit one of the bodies that have no bounds nearer than their t: these
@@ -127,9 +129,7 @@ std::uint32_t blocked_outside_hierarchy(const FrozenScene<typename L::Real>& sce
     typename L::M by_any = L::first(0);
     for (std::int32_t i = scene.bodies.bounded; i < scene.bodies.count; ++i) {
       if (is_shadowless(scene, scene.bodies, i)) continue;
-      BodiesInLanes<L> body;
-      broadcast_shape<L>(scene.bodies, i, body);
-      const F t = intersect_shape<true, Body, L>(body, ray.origin, ray.direction, ray.t);
+      const F t = intersect_unbounded<true, L>(scene.bodies, i, ray);
       by_any = either(by_any, both(t > F(0), t < ray.t));
     }
     by_any = both(by_any, rays.active[r]);

@@ -135,26 +135,27 @@ void surfaces_of_bodies(const FrozenShapes<typename L::Real, Body>& bodies, type
     const std::int32_t body = query.body[__builtin_ctz(left)];
     const std::uint8_t type = bodies.type[body];
     const SurfaceFunction<L> together = kSurfaceFunctions<L>[type];
-    const std::uint32_t mine = lanes_with(left, [&](std::size_t i) {
-      return together == nullptr ? query.body[i] == body : bodies.type[query.body[i]] == type;
-    });
+    // Mostly all have hit the same body.
+    std::uint32_t mine = left & bits(slot == I(bodies.first_slot + body));
+    query.one_body = mine == left || together == nullptr;
+    if (!query.one_body)
+      mine = lanes_with(left, [&](std::size_t i) { return bodies.type[query.body[i]] == type; });
     left &= ~mine;
     if (type == kTypeInstance) {
       surfaces_of_instance<L>(bodies, body, mine, query, memory, paths);
       continue;
     }
-    std::int32_t hit[L::kWidth];  // of CSG, its member
-    if (together == nullptr) {
-      surfaces_of_csg<L>(bodies, body, mine, query, memory, hit);
-    } else {
+    std::int32_t member[L::kWidth];
+    if (together == nullptr)
+      surfaces_of_csg<L>(bodies, body, mine, query, memory, member);
+    else
       together(bodies, mine, query, memory);
-      for (std::size_t i = 0; i < L::kWidth; ++i) hit[i] = query.body[i];
-    }
     for (std::uint32_t lanes = mine; lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
-      const std::int32_t own = bodies.material[hit[lane]];
+      const std::int32_t hit = together == nullptr ? member[lane] : query.body[lane];
+      const std::int32_t own = bodies.material[hit];
       memory.material[lane] = own >= 0 ? own : bodies.material[query.body[lane]];
-      if (paths != nullptr) paths[lane].body = hit[lane];
+      if (paths != nullptr) paths[lane].body = hit;
     }
   }
   surfaces = memory.back();

@@ -18,7 +18,7 @@ std::uint16_t quantize(float value, Transfer transfer, int bits) {
 namespace {
 
 constexpr std::uint32_t kLeastBits = 0x39800000;  // 2^-12
-constexpr int kStartShift = 23 - 5;               // 32 starts for each power of two
+constexpr int kStartShift = 23 - 7;               // 128 starts for each power of two
 
 }  // namespace
 
@@ -34,10 +34,12 @@ RowQuantizer::RowQuantizer(Transfer transfer, int bits) : transfer_(transfer), b
     least_[static_cast<std::size_t>(v)] = std::bit_cast<float>(high);
   }
   least_[256] = std::numeric_limits<float>::infinity();
+  std::size_t value = 0;
   for (std::size_t i = 0; i < start_.size(); ++i) {
     const auto leading =
         std::bit_cast<float>(kLeastBits + (static_cast<std::uint32_t>(i) << kStartShift));
-    start_[i] = static_cast<unsigned char>(quantize(leading, transfer, 8));
+    while (leading >= least_[value + 1]) ++value;
+    start_[i] = static_cast<unsigned char>(value);
   }
 }
 
@@ -59,9 +61,9 @@ void RowQuantizer::row(const float* values, std::size_t count, unsigned char* ou
     }
     const float value = values[i] > 0 ? (values[i] < 1 ? values[i] : 1.0f) : 0.0f;
     const auto bits = std::bit_cast<std::uint32_t>(value);
-    std::size_t v = bits < kLeastBits ? 0 : start_[(bits - kLeastBits) >> kStartShift];
-    while (value >= least_[v + 1]) ++v;
-    *out++ = static_cast<unsigned char>(v);
+    const std::size_t start =
+        bits < kLeastBits ? 0 : start_[(bits - kLeastBits) >> kStartShift];
+    *out++ = static_cast<unsigned char>(start + (value >= least_[start + 1] ? 1 : 0));
   }
 }
 

@@ -18,10 +18,11 @@ class RowQuantizer {
  private:
   Transfer transfer_;
   int bits_;
-  /// For 8 bits: the least float that is stored as each value; and a value to start looking from,
-  /// for the leading bits of floats from 2^-12 to 1.
+  /// For 8 bits: the least float that is stored as each value; and what the least float of so many
+  /// leading bits is stored as, from 2^-12 to 1. Any other of these bits is stored as that or as
+  /// the next value.
   std::array<float, 257> least_{};
-  std::array<unsigned char, 12 * 32 + 1> start_{};
+  std::array<unsigned char, 12 * 128 + 1> start_{};
 };
 
 }  // namespace zraka

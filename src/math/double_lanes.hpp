@@ -23,6 +23,14 @@ struct ScalarDoubles {
   static ZRAKA_INLINE M from_bits(std::uint32_t b) { return (b & 1) != 0; }
 };
 
+/// The engine's lanes as lanes of doubles, and back, rounded.
+ZRAKA_INLINE void widen(double v, double (&out)[1]) {
+  out[0] = v;
+}
+ZRAKA_INLINE double narrow(const double (&v)[1]) {
+  return v[0];
+}
+
 /// Lane i's bit is 1 << i.
 ZRAKA_INLINE std::uint32_t bits_of_doubles(bool m) {
   return m ? 1 : 0;
@@ -145,6 +153,25 @@ ZRAKA_INLINE DoubleLanes round_to_integer(DoubleLanes a) {
   return hn::Round(a.v);
 }
 
+#if HWY_TARGET == HWY_SCALAR  // one lane of each
+ZRAKA_INLINE void widen(FloatLanes v, DoubleLanes (&out)[1]) {
+  out[0] = hn::PromoteTo(wide::dd, v.v);
+}
+ZRAKA_INLINE FloatLanes narrow(const DoubleLanes (&v)[1]) {
+  return hn::DemoteTo(wide::d, v[0].v);
+}
+#else
+ZRAKA_INLINE void widen(FloatLanes v, DoubleLanes (&out)[2]) {
+  const hn::Half<wide::D> half;
+  out[0] = hn::PromoteTo(wide::dd, hn::LowerHalf(half, v.v));
+  out[1] = hn::PromoteTo(wide::dd, hn::UpperHalf(half, v.v));
+}
+ZRAKA_INLINE FloatLanes narrow(const DoubleLanes (&v)[2]) {
+  const hn::Half<wide::D> half;
+  return hn::Combine(wide::d, hn::DemoteTo(half, v[1].v), hn::DemoteTo(half, v[0].v));
+}
+#endif
+
 struct WideDoubles {
   using F = DoubleLanes;
   using M = DoubleMask;
@@ -189,5 +216,9 @@ struct Beside<float> {
 /// The double lanes beside lanes L.
 template <class L>
 using DoublesOf = typename doubles::Beside<typename L::Real>::Lanes;
+
+/// So many registers of doubles hold a register of the engine's.
+template <class L>
+inline constexpr std::size_t kDoubleParts = L::kWidth / DoublesOf<L>::kWidth;
 
 }  // namespace zraka::ZRAKA_ISA
