@@ -50,16 +50,26 @@ inline constexpr int kMostCrossings[kBodyTypes] = {
 #undef ZRAKA_MOST
 };
 
-/// A CSG body's numbers: how many members it has that are no CSG themselves, and how long its
-/// expression is; then the members, as bodies; then the expression, operands before operations
-/// (an index of a member, or csg_operation()).
+/// A CSG body's numbers: how many members it has that are no CSG themselves, how long its
+/// expression is, and the bits of csg_table() where there are few; then the members, as bodies;
+/// then the expression, operands before operations (an index of a member, or csg_step()).
 struct CsgNumbers {
   const double* row;
   int members() const { return static_cast<int>(row[0]); }
   int length() const { return static_cast<int>(row[1]); }
-  std::int32_t member(int i) const { return static_cast<std::int32_t>(row[2 + i]); }
-  int step(int i) const { return static_cast<int>(row[2 + members() + i]); }
+  bool has_table() const { return members() <= kMostCsgTableMembers; }
+  std::uint64_t table() const { return __builtin_bit_cast(std::uint64_t, row[2]); }
+  std::int32_t member(int i) const { return static_cast<std::int32_t>(row[3 + i]); }
+  int step(int i) const { return static_cast<int>(row[3 + members() + i]); }
 };
+
+/// Whether what a table says is nothing outside of a member.
+inline bool csg_needs(std::uint64_t table, int member) {
+  constexpr std::uint64_t kWithout[kMostCsgTableMembers] = {
+      0x5555555555555555, 0x3333333333333333, 0x0F0F0F0F0F0F0F0F,
+      0x00FF00FF00FF00FF, 0x0000FFFF0000FFFF, 0x00000000FFFFFFFF};
+  return (table & kWithout[member]) == 0;
+}
 
 /// One ray's, or lanes of rays', way through a CSG body.
 template <class D>
@@ -68,16 +78,21 @@ class CsgWay {
   using F = typename D::F;
   using M = typename D::M;
 
+  /// Of the lanes that are asked for. With `whole_alone`, members that no ray goes through and
+  /// that the whole needs spare the others.
   CsgWay(const FrozenBodies& bodies, std::int32_t body, const V3<F>& origin,
-         const V3<F>& direction)
-      : csg_{bodies.numbers + bodies.start[body]} {
+         const V3<F>& direction, M asked, bool whole_alone)
+      : csg_{bodies.numbers + bodies.start[body]}, asked_(asked) {
     int used = 0;
     for (int i = 0; i < csg_.members(); ++i) {
-      const std::int32_t member = csg_.member(i);
       first_[i] = used;
-      kCrossingFunctions<D>[bodies.type[member]](bodies.numbers + bodies.start[member], origin, direction,
-                                      at_ + used);
+      if (misses_) continue;
+      const std::int32_t member = csg_.member(i);
+      kCrossingFunctions<D>[bodies.type[member]](bodies.numbers + bodies.start[member], origin,
+                                                 direction, at_ + used);
       used += kMostCrossings[bodies.type[member]];
+      if (whole_alone && csg_.has_table() && csg_needs(csg_.table(), i))
+        misses_ = !any(both(asked, has_part_ahead(first_[i], used)));
     }
     first_[csg_.members()] = used;
   }
@@ -117,13 +132,19 @@ class CsgWay {
 
   /// The first crossing with the whole's surface in front of the origin, before `limit`.
   F first_hit(F limit) const {
-    F t(0.0), found(kNever);
-    const M began = inside(t);
+    F found(kNever);
+    if (misses_) return found;
+    F t(0.0);
+    const bool by_table = csg_.has_table();
+    const std::uint64_t table = by_table ? csg_.table() : 0;
+    typename D::B state = by_table ? members_at(t) : D::bits_if(asked_, 0);
+    const M began = by_table ? D::has_bit(table, state) : inside(t);
     for (;;) {
       t = next(t);
-      const auto going = both(t < limit, found == F(kNever));
+      const auto going = both(both(asked_, t < limit), found == F(kNever));
       if (!any(going)) return found;
-      const M now = inside(t);
+      if (by_table) state = D::flip(state, crossed_at(t));
+      const M now = by_table ? D::has_bit(table, state) : inside(t);
       const auto changed = both(going, either(but_not(now, began), but_not(began, now)));
       found = select(changed, t, found);
       t = select(found < F(kNever), F(kNever), t);
@@ -150,7 +171,32 @@ class CsgWay {
     return in;
   }
 
+  /// The members that hold what is behind t, a bit each.
+  typename D::B members_at(F t) const {
+    typename D::B in = D::bits_if(t < t, 0);
+    for (int i = 0; i < csg_.members(); ++i)
+      in = D::flip(in, D::bits_if(in_member(i, t), std::uint64_t{1} << i));
+    return in;
+  }
+  /// The members that are crossed at t, a bit each: entered, or left, or both and so neither.
+  typename D::B crossed_at(F t) const {
+    typename D::B crossed = D::bits_if(t < t, 0);
+    for (int i = 0; i < csg_.members(); ++i)
+      for (int k = first_[i]; k < first_[i + 1]; ++k)
+        crossed = D::flip(crossed, D::bits_if(at_[k] == t, std::uint64_t{1} << i));
+    return crossed;
+  }
+  /// Whether any part of a member, whose crossings these are, is in front of the origin.
+  M has_part_ahead(int begin, int end) const {
+    M ahead = F(0.0) > F(0.0);
+    for (int k = begin; k < end; k += 2)
+      ahead = either(ahead, both(at_[k] < F(kNever), at_[k + 1] > F(0.0)));
+    return ahead;
+  }
+
   CsgNumbers csg_;
+  M asked_;
+  bool misses_ = false;  ///< all of the rays, the whole
   int first_[kMostCsgCrossings + 1];
   F at_[kMostCsgCrossings];
 };

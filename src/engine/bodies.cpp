@@ -51,7 +51,7 @@ void hit_csgs(const FrozenShapes<typename L::Real, Body>& bodies, BodyQuery<L>& 
           lanes_with(asked, [&](std::size_t i) { return query.body[c + i] == body; });
       // What is found in float is compared with the limit later: here it is only roughly known.
       const F limit = D::load_reals(query.limit + c) * F(1.0 + 0x1p-20);
-      const CsgWay<D> way(bodies, body, origin, direction);
+      const CsgWay<D> way(bodies, body, origin, direction, D::from_bits(mine), true);
       answer<L>(query, c, mine, way.first_hit(limit));
       asked &= ~mine;
     }
@@ -145,17 +145,17 @@ void surfaces_of_bodies(const FrozenShapes<typename L::Real, Body>& bodies, type
       surfaces_of_instance<L>(bodies, body, mine, query, memory, paths);
       continue;
     }
-    std::int32_t member[L::kWidth];
+    std::int32_t hit[L::kWidth];
+    for (std::size_t i = 0; i < L::kWidth; ++i) hit[i] = query.body[i];
     if (together == nullptr)
-      surfaces_of_csg<L>(bodies, body, mine, query, memory, member);
+      surfaces_of_csg<L>(bodies, body, mine, query, memory, hit);
     else
       together(bodies, mine, query, memory);
     for (std::uint32_t lanes = mine; lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
-      const std::int32_t hit = together == nullptr ? member[lane] : query.body[lane];
-      const std::int32_t own = bodies.material[hit];
+      const std::int32_t own = bodies.material[hit[lane]];
       memory.material[lane] = own >= 0 ? own : bodies.material[query.body[lane]];
-      if (paths != nullptr) paths[lane].body = hit;
+      if (paths != nullptr) paths[lane].body = hit[lane];
     }
   }
   surfaces = memory.back();

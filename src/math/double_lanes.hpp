@@ -11,6 +11,7 @@ namespace zraka::ZRAKA_ISA {
 struct ScalarDoubles {
   using F = double;
   using M = bool;
+  using B = std::uint64_t;  // bits
   static constexpr std::size_t kWidth = 1;
   static ZRAKA_INLINE F load(const double* p) { return *p; }
   static ZRAKA_INLINE F load_reals(const double* p) { return *p; }
@@ -21,6 +22,9 @@ struct ScalarDoubles {
     return base[*index];
   }
   static ZRAKA_INLINE M from_bits(std::uint32_t b) { return (b & 1) != 0; }
+  static ZRAKA_INLINE B bits_if(M m, std::uint64_t b) { return m ? b : 0; }
+  static ZRAKA_INLINE B flip(B a, B b) { return a ^ b; }
+  static ZRAKA_INLINE M has_bit(std::uint64_t table, B index) { return (table >> index & 1) != 0; }
 };
 
 /// The engine's lanes as lanes of doubles, and back, rounded.
@@ -175,6 +179,7 @@ ZRAKA_INLINE FloatLanes narrow(const DoubleLanes (&v)[2]) {
 struct WideDoubles {
   using F = DoubleLanes;
   using M = DoubleMask;
+  using B = hn::Vec<hn::RebindToUnsigned<wide::Dd>>;
   static constexpr std::size_t kWidth = HWY_LANES(double);
   static ZRAKA_INLINE F load(const double* p) { return hn::LoadU(wide::dd, p); }
   static ZRAKA_INLINE F load_reals(const float* p) {
@@ -195,6 +200,18 @@ struct WideDoubles {
     const hn::RebindToSigned<wide::Dd> wide_index;
     const auto at = hn::LoadU(hn::Rebind<std::int32_t, wide::Dd>(), index);
     return hn::GatherIndex(wide::dd, base, hn::PromoteTo(wide_index, at));
+  }
+  /// b in the lanes of m, 0 in the others.
+  static ZRAKA_INLINE B bits_if(M m, std::uint64_t b) {
+    const hn::RebindToUnsigned<wide::Dd> du;
+    return hn::IfThenElseZero(hn::RebindMask(du, m.v), hn::Set(du, b));
+  }
+  static ZRAKA_INLINE B flip(B a, B b) { return hn::Xor(a, b); }
+  /// Whether bit number `index` of a table is set.
+  static ZRAKA_INLINE M has_bit(std::uint64_t table, B index) {
+    const hn::RebindToUnsigned<wide::Dd> du;
+    const B one = hn::Set(du, 1);
+    return {hn::RebindMask(wide::dd, hn::Eq(hn::And(hn::Shr(hn::Set(du, table), index), one), one))};
   }
 };
 #endif

@@ -2,6 +2,7 @@
 #include "scene/freeze_bodies.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "shapes/bodies/csg.hpp"
@@ -93,6 +94,9 @@ class Filling {
     list(csg, to_world, kMaterialOfWhole, members, steps);
     store_.numbers.push_back(static_cast<double>(members.size()));
     store_.numbers.push_back(static_cast<double>(steps.size()));
+    const int count = static_cast<int>(members.size()), length = static_cast<int>(steps.size());
+    store_.numbers.push_back(std::bit_cast<double>(
+        count <= kMostCsgTableMembers ? csg_table(steps.data(), length, count) : std::uint64_t{0}));
     for (Open& member : members) {
       member.place = store_.numbers.size();
       store_.numbers.push_back(0);

@@ -71,9 +71,9 @@ inline constexpr double kNever = __builtin_huge_val();
 ///                                which the ray crosses it, ascending, kNever where there are no
 ///                                more. Of a closed body at[0] and at[1], at[2] and at[3]… are
 ///                                where it goes in and comes out; -kNever where a ray has been
-///                                inside forever. Those before ray.begin, and with
-///                                ray.first_only those after the first behind it, need not be
-///                                right, as long as they stay on their side of it
+///                                inside forever. With ray.first_only all but the first
+///                                after ray.begin may be left out, or be anywhere as long as
+///                                they stay on their side of it; that one keeps its parity
 ///   normal(numbers, p)           where it can be told in lanes: the normal that surface() gives
 ///                                a point, of the same bits
 /// where numbers(k) is the number k of its Placement in lanes.

@@ -136,10 +136,16 @@ struct BodyLanes<Torus, D> {
         both(chord >= F(0.0), both(span.in <= span.out, span.out >= ray.begin));
     if (!any(near)) return;
 
-    F turns[5] = {span.in, F(0.0), F(0.0), F(0.0), span.out};
-    find_turns(torus, near, turns);
+    // What is behind where a ray begins need not be found if the first crossing alone counts.
     M inside[5];
     inside[0] = inside[4] = F(0.0) > F(0.0);
+    if (ray.first_only) {
+      const auto later = ray.begin > span.in;
+      span.in = select(later, ray.begin, span.in);
+      inside[0] = both(later, torus.place(span.in).value <= F(0.0));
+    }
+    F turns[5] = {span.in, F(0.0), F(0.0), F(0.0), span.out};
+    find_turns(torus, near, turns);
     F reaches[5] = {F(0.0), F(0.0), F(0.0), F(0.0), F(0.0)};
     for (int k = 1; k < 4; ++k) {
       turns[k] = min(max(turns[k], span.in), span.out);
@@ -147,23 +153,25 @@ struct BodyLanes<Torus, D> {
       inside[k] = there.value <= F(0.0);
       reaches[k] = torus.reach_of(turns[k], there);
     }
-    M crossed[4], open = near;  // where there may be a first crossing still
-    F zeros[4];
-    for (int k = 0; k < 4; ++k) {
-      const auto falls = but_not(inside[k + 1], inside[k]),
-                 rises = but_not(inside[k], inside[k + 1]);
-      crossed[k] = both(near, either(falls, rises));
-      // What is behind a ray's begin need not be found.
-      zeros[k] = turns[k + 1];
-      const auto wanted = but_not(both(crossed[k], open), turns[k + 1] < ray.begin);
-      if (!any(wanted)) continue;
-      const Bracket<F, M> bracket{turns[k], turns[k + 1], falls};
-      const F guess = select(falls, turns[k + 1] - reaches[k + 1], turns[k] + reaches[k]);
-      zeros[k] = select(
-          wanted, zero_in(bracket, wanted, [&](F t) { return torus.at(t); }, guess), zeros[k]);
-      if (ray.first_only) open = but_not(open, both(wanted, zeros[k] > ray.begin));
+    const Part none{F(0.0), F(0.0), F(0.0), near, but_not(near, near)};
+    if (ray.first_only) {
+      Part first = none;
+      for (int k = 3; k >= 0; --k) {
+        const Part part = part_of(k, turns, reaches, inside, near);
+        first = {select(part.crossed, part.a, first.a), select(part.crossed, part.b, first.b),
+                 select(part.crossed, part.guess, first.guess),
+                 select(part.crossed, part.falls, first.falls), either(part.crossed, first.crossed)};
+      }
+      if (!any(first.crossed)) return;
+      const F zero = first.zero(torus);
+      at[0] = select(first.crossed, select(first.falls, zero, F(-kNever)), F(kNever));
+      at[1] = select(but_not(first.crossed, first.falls), zero, F(kNever));
+      return;
     }
-    for (int k = 3; k >= 0; --k) put_first(crossed[k], zeros[k], at);
+    for (int k = 3; k >= 0; --k) {
+      const Part part = part_of(k, turns, reaches, inside, near);
+      if (any(part.crossed)) put_first(part.crossed, part.zero(torus), at);
+    }
   }
 
   template <class Numbers>
@@ -175,6 +183,23 @@ struct BodyLanes<Torus, D> {
   }
 
  private:
+  /// What is between two turns, and whether the surface is crossed there.
+  struct Part {
+    F a, b, guess;
+    M falls, crossed;
+
+    ZRAKA_INLINE F zero(const TorusRay<F>& torus) const {
+      return zero_in(Bracket<F, M>{a, b, falls}, crossed, [&](F t) { return torus.at(t); }, guess);
+    }
+  };
+  static ZRAKA_INLINE Part part_of(int k, const F (&turns)[5], const F (&reaches)[5],
+                                   const M (&inside)[5], M near) {
+    const auto falls = but_not(inside[k + 1], inside[k]),
+               rises = but_not(inside[k], inside[k + 1]);
+    const F guess = select(falls, turns[k + 1] - reaches[k + 1], turns[k] + reaches[k]);
+    return {turns[k], turns[k + 1], guess, falls, both(near, either(falls, rises))};
+  }
+
   /// Sets turns[1…3] to the zeros of the derivative, ascending: of t³ + p·t + q with p = a/2 and
   /// q = b/4. The one that is farthest out is of the sign of -q, and alone on its side; Newton's
   /// steps come down to it from a bound. The others follow from it by their sum and product; where
