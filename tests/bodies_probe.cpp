@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "accel/body_rays.hpp"
+#include "engine/body_surfaces.hpp"
 #include "math/double_power.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -44,10 +44,23 @@ void cross_all(const double* numbers, const std::int32_t* start, const BodyProbe
     const V3<F> origin = vector(&BodyProbeRay::origin),
                 direction = vector(&BodyProbeRay::direction);
     F at[kMost];
-    if (shared)
-      cross_body<Shape, D>(SharedNumbers<D>{numbers + starts[0]}, origin, direction, at);
-    else
-      cross_body<Shape, D>(OwnNumbers<D>{numbers, starts}, origin, direction, at);
+    const auto surface = [&](const auto& row) {
+      crossings<Shape, D>(row, origin, direction, false, at);
+      return SurfaceInLanes<Shape, D>(row, origin, direction);
+    };
+    const auto hit = shared ? surface(SharedNumbers<D>{numbers + starts[0]})
+                            : surface(OwnNumbers<D>{numbers, starts});
+    const auto store = [&](const F& value, const auto& put) {
+      D::store(value, lanes);
+      for (std::size_t lane = 0; lane < D::kWidth; ++lane) put(found[index(lane)], lanes[lane]);
+    };
+    store(select(hit.t > F(0.0), hit.t, F(kNever)),
+          [](BodyCrossings& c, double t) { c.first = t; });
+    store(hit.normal.x, [](BodyCrossings& c, double n) { c.normal[0] = n; });
+    store(hit.normal.y, [](BodyCrossings& c, double n) { c.normal[1] = n; });
+    store(hit.normal.z, [](BodyCrossings& c, double n) { c.normal[2] = n; });
+    store(select(hit.inside, F(1.0), F(0.0)),
+          [](BodyCrossings& c, double inside) { c.inside = inside > 0; });
     for (int k = 0; k < kProbedCrossings; ++k) {
       D::store(k < kMost ? at[k] : F(kNever), lanes);
       for (std::size_t lane = 0; lane < D::kWidth; ++lane) found[index(lane)].at[k] = lanes[lane];

@@ -18,6 +18,10 @@ struct BodyProbeRay {
 };
 struct BodyCrossings {
   double at[kProbedCrossings];  ///< infinite where there are no more
+  /// What the engine finds of the surface that a ray hits first: the distance, infinite where there
+  /// is none, the unit normal, and whether the ray comes from inside.
+  double first, normal[3];
+  bool inside;
 };
 
 struct BodiesProbe {

@@ -184,6 +184,51 @@ TYPED_TEST(Bodies, HaveTheirGradientsAsNormals) {
   EXPECT_GT(compared, 1000u);
 }
 
+/// The first of the crossings in front, seen from the same side, with the normal that its surface
+/// has there or, at an edge, as far beside it as numbers are rounded.
+TYPED_TEST(Bodies, AreHitAtTheFirstCrossingWithTheNormalOfTheirSurface) {
+  std::size_t compared = 0;
+  this->each_body(24000, [&](const auto& body, const auto& rays, const auto& found, Random&) {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const BodyCrossings& c = found[i];
+      const double* const first =
+          std::find_if(std::begin(c.at), std::end(c.at), [](double t) { return t > 0; });
+      const double want = first == std::end(c.at) ? HUGE_VAL : *first;
+      const Ray ray = exact(rays[i]);
+      const Real error = body.error(ray.origin);
+      // Where a ray only touches, or begins, rounding says whether there is anything.
+      const auto beside = [&](double t) {
+        return std::any_of(std::begin(c.at), std::end(c.at), [&](const double& other) {
+          return (&other != first || t == 0) && std::fabs(other - t) < 1e-6 * body.place.scale;
+        });
+      };
+      if (beside(want) || beside(0)) continue;
+      if (!(want < HUGE_VAL)) {
+        ASSERT_EQ(c.first, HUGE_VAL) << to_string(rays[i]);
+        continue;
+      }
+      if (want > far_from(body, ray)) continue;
+      ASSERT_NEAR(c.first, want, double(64 * error)) << to_string(rays[i]);
+      const Point got{c.normal[0], c.normal[1], c.normal[2]}, p = ray.at(c.first);
+      if (ShapeTraits<TypeParam>::kClosed && !std::is_same_v<TypeParam, Quadric>) {
+        ASSERT_EQ(c.inside, (first - c.at) % 2 == 1) << to_string(rays[i]);
+      } else if (const Real along = dot(got, ray.direction); std::fabs(along) > 1e-9L) {
+        ASSERT_EQ(c.inside, along > 0) << to_string(rays[i]);
+      }
+      Real off = 2;
+      for (int k = 0; k < 27; ++k) {
+        const Point step{Real(k % 3 - 1), Real(k / 3 % 3 - 1), Real(k / 9 - 1)};
+        const BodySurface there = body.surface(p + step * (8 * error));
+        off = std::min(
+            off, length(got - unit(body.row.normal_from_own(exact(vec3_of(there.normal))))));
+      }
+      ASSERT_LE(off, 1e-6L) << to_string(rays[i]) << " at " << c.first;
+      ++compared;
+    }
+  });
+  EXPECT_GT(compared, 1000u);
+}
+
 /// A step along a tangent changes u or v by as much as it is long, where they change steadily.
 TYPED_TEST(Bodies, HaveTangentsAlongWhichUAndVGrow) {
   constexpr double kStep = 1e-6;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -86,9 +87,12 @@ inline std::string to_string(const BodyCrossings& found) {
   return fmt::format("{}", fmt::join(found.at, ", "));
 }
 inline bool same_bits(const BodyCrossings& a, const BodyCrossings& b) {
-  return std::equal(a.at, a.at + kProbedCrossings, b.at, [](double s, double t) {
+  const auto same = [](double s, double t) {
     return std::bit_cast<std::uint64_t>(s) == std::bit_cast<std::uint64_t>(t);
-  });
+  };
+  const bool hit = a.first < HUGE_VAL;  // nothing is said of a normal elsewhere
+  return std::equal(a.at, a.at + kProbedCrossings, b.at, same) && same(a.first, b.first) &&
+         (!hit || (std::equal(a.normal, a.normal + 3, b.normal, same) && a.inside == b.inside));
 }
 
 /// Of each ray with the body whose numbers begin at start[i]: the same bits by every instruction

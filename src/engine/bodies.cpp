@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bodies against rays, for one instruction set. CMake compiles this file once for each, like
 // engine/kernel.cpp.
-#include "accel/group_rays.hpp"
 #include "engine/body_surfaces.hpp"
 
 namespace zraka::ZRAKA_ISA {

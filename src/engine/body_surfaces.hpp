@@ -5,6 +5,7 @@
 
 #include "accel/body_surface.hpp"
 #include "accel/csg.hpp"
+#include "accel/group_rays.hpp"
 #include "engine/hit_path.hpp"
 #include "engine/surfaces.hpp"
 
@@ -260,7 +261,7 @@ void surfaces_of_csg(const FrozenShapes<typename L::Real, Body>& bodies, std::in
 
 /// Puts an instance in front of a path within its group, whose frame is reached by these columns
 /// and this origin.
-void add_instance(std::int32_t body, const void* group, const V3<double>& x, const V3<double>& y,
+inline void add_instance(std::int32_t body, const void* group, const V3<double>& x, const V3<double>& y,
                   const V3<double>& z, const V3<double>& origin, const HitPath& inner,
                   HitPath& out) {
   out.group = inner.group != nullptr ? inner.group : group;

@@ -132,8 +132,8 @@ struct BodyLanes<Torus, D> {
     const F end = sqrt(max(chord, F(0.0)));
     Span<F> span{-end, end};
     clip(span, ray.origin.y, ray.direction.y, torus.tube);
-    const auto near =
-        both(chord >= F(0.0), both(span.in <= span.out, span.out >= ray.begin));
+    auto near = both(chord >= F(0.0), span.in <= span.out);
+    if (ray.first_only) near = both(near, span.out >= ray.begin);
     if (!any(near)) return;
 
     // What is behind where a ray begins need not be found if the first crossing alone counts.
