@@ -16,12 +16,11 @@
 namespace zraka {
 namespace {
 
-/// Which of a CSG body's members a body is, from 0; accel/csg.hpp says what its numbers are.
+/// Which of a CSG body's members a body is, from 0.
 std::size_t index_of_member(const FrozenBodies& bodies, std::int32_t whole, std::int32_t member) {
-  const double* const row = bodies.numbers + bodies.start[whole];
-  const auto count = static_cast<std::size_t>(row[0]);
-  for (std::size_t i = 0; i < count; ++i)
-    if (static_cast<std::int32_t>(row[2 + i]) == member) return i;
+  const CsgNumbers csg{bodies.numbers + bodies.start[whole]};
+  for (int i = 0; i < csg.members(); ++i)
+    if (csg.member(i) == member) return static_cast<std::size_t>(i);
   return 0;
 }
 

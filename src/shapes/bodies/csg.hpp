@@ -59,6 +59,27 @@ inline std::uint64_t csg_table(const double* steps, int length, int members) {
   return table;
 }
 
+/// A CSG body's numbers: how many members it has that are no CSG themselves, how long its
+/// expression is, and the bits of csg_table() where there are few; then the members, as bodies;
+/// then the expression, operands before operations (an index of a member, or csg_step()).
+struct CsgNumbers {
+  const double* row;
+  int members() const { return static_cast<int>(row[0]); }
+  int length() const { return static_cast<int>(row[1]); }
+  bool has_table() const { return members() <= kMostCsgTableMembers; }
+  std::uint64_t table() const { return __builtin_bit_cast(std::uint64_t, row[2]); }
+  std::int32_t member(int i) const { return static_cast<std::int32_t>(row[3 + i]); }
+  int step(int i) const { return static_cast<int>(row[3 + members() + i]); }
+};
+
+/// Whether what a table says is nothing outside of a member.
+inline bool csg_needs(std::uint64_t table, int member) {
+  constexpr std::uint64_t kWithout[kMostCsgTableMembers] = {
+      0x5555555555555555, 0x3333333333333333, 0x0F0F0F0F0F0F0F0F,
+      0x00FF00FF00FF00FF, 0x0000FFFF0000FFFF, 0x00000000FFFFFFFF};
+  return (table & kWithout[member]) == 0;
+}
+
 template <>
 struct ShapeTraits<Csg> {
   static constexpr const char* kName = "csg";
