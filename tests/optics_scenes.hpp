@@ -52,7 +52,7 @@ struct OpticsCase {
   RenderOptions options{};
 };
 
-/// The first case is one of the lean engine, with Blinn's highlights; the others are not.
+/// The first cases are the lean engine's, with what it knows beyond the lab; the others are not.
 inline std::vector<OpticsCase> optics_cases() {
   std::vector<OpticsCase> all;
   const auto add = [&](std::string name, const auto& change) {
@@ -64,6 +64,15 @@ inline std::vector<OpticsCase> optics_cases() {
     for (Material& material : scene.materials) material.highlight = Highlight::blinn;
     scene.materials[2].reflection = 0.5;
   });
+  for (const bool linear : {false, true})
+    add(linear ? "lean spot with a linear edge" : "lean spot", [&](Scene& s, RenderOptions&) {
+      s.materials[2].reflection = 0.5;
+      s.lights[0].kind = LightKind::spot;
+      s.lights[0].direction = {-2, -4, -3};
+      s.lights[0].inner_deg = 8, s.lights[0].outer_deg = 20;
+      s.lights[0].linear_edge = linear;
+      s.lights[1].attenuation = {1, 0.1, 0.05};
+    });
   add("spot", [](Scene& s, RenderOptions&) {
     s.lights[0].kind = LightKind::spot;
     s.lights[0].direction = {-2, -4, -3};

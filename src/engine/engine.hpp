@@ -107,6 +107,7 @@ struct Scratch {
   R *smooth_x, *smooth_y, *smooth_z;  ///< normals before textures bend them, where recorded
   R *lx, *ly, *lz;  ///< unit direction to the light at hand
   R* lit;           ///< 1 where the light at hand reaches the hit, else 0
+  R* strength;      ///< what is left of the light at hand, where its light fades
   /// By shadow ray; in the general engine origins are by hit.
   R *sox, *soy, *soz, *sdx, *sdy, *sdz, *sdistance;
   std::int32_t* shadow_ray_hit;
@@ -137,6 +138,7 @@ enum class Quantity {
   to_light,  ///< L, unit length
   light_distance = to_light + 3,
   l_n,                     ///< L·N
+  strength,                ///< what is left of the light, if it is one that fades
   diffuse,                 ///< what is added: Ii·kd·(L·N)
   mirrored = diffuse + 3,  ///< R, the mirror of L about N
   r_v = mirrored + 3,      ///< R·V

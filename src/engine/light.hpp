@@ -7,6 +7,7 @@
 #include "accel/traverse.hpp"
 #include "engine/camera_rays.hpp"
 #include "engine/engine.hpp"
+#include "engine/fading.hpp"
 #include "engine/indices.hpp"
 #include "engine/load_rays.hpp"
 #include "engine/record.hpp"
@@ -76,7 +77,15 @@ std::size_t make_shadow_rays(const FrozenLight<R>& light, std::size_t n, Scratch
     const V3<F> normal = load_normal<L>(scratch, h);
     const ToLight<L> light_way = towards<L>(light, scratch, h, rules);
     const F l_n = dot(light_way.direction, normal);
-    const auto facing = both(rules.faces(l_n), L::first(n - h));
+    auto facing = both(rules.faces(l_n), L::first(n - h));
+    if (light.fading.any) {
+      const F strength =
+          strength_at<L>(light.fading, light_way.direction, light_way.distance);
+      L::store(strength, scratch.strength + h);
+      record.keep(Quantity::strength, h, strength);
+      // Outside of a cone is no light to be blocked.
+      if (light.fading.has_cone) facing = both(facing, strength > F(0));
+    }
     record.keep(Quantity::to_light, h, light_way.direction);
     record.keep(Quantity::light_distance, h, light_way.distance);
     record.keep(Quantity::l_n, h, l_n);
@@ -132,7 +141,7 @@ void add_light(const FrozenLight<R>& light, const Terms& terms, Level<R>& level,
                const Scratch<R>& scratch, const Recorder& record = {}, const Ruling& rules = {}) {
   using F = typename L::F;
   const auto n = static_cast<std::size_t>(level.hit_count);
-  const V3<F> intensity = broadcast<L>(light.color);
+  const V3<F> color = broadcast<L>(light.color);
   for (std::size_t h = 0; h < n; h += L::kWidth) {
     const auto exists = L::first(n - h);
     const auto lit = both(L::load(scratch.lit + h) > F(0), exists);
@@ -141,6 +150,8 @@ void add_light(const FrozenLight<R>& light, const Terms& terms, Level<R>& level,
     const V3<F> normal = load_normal<L>(scratch, h);
     const V3<F> l{L::load(scratch.lx + h), L::load(scratch.ly + h), L::load(scratch.lz + h)};
     const F l_n = dot(l, normal);
+    const V3<F> intensity =
+        light.fading.any ? color * L::load(scratch.strength + h) : color;
     V3<F> sum{L::load(level.hits.r + h), L::load(level.hits.g + h), L::load(level.hits.b + h)};
     if (terms.diffuse) {
       const V3<F> diffuse = intensity * material.color(kDiffuse) * rules.diffuse_factor(l_n);

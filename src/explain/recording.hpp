@@ -55,6 +55,11 @@ class RecordedTerms {
             recording_.terms[first + 2][h]};
   }
 
+  /// While it is told of a light of the lean engine: whether a hit faces it outside of its cone.
+  bool is_dark(const FrozenLight<float>& light, std::size_t h) const {
+    return light.fading.has_cone && at(Quantity::l_n, h) >= 0 && !(at(Quantity::strength, h) > 0);
+  }
+
   /// The shape that the i-th shadow ray hits before the light, as its slot; -1: none.
   std::int32_t blocker(std::size_t i, const Scratch<float>& scratch) const {
     return recording_.blocker_t[i] < scratch.sdistance[i] ? blockers_[i] : -1;

@@ -75,8 +75,11 @@ class TreeReader {
   ExplainedHit& hit(const Level<float>& level, std::size_t h) {
     return *tree_.rays[ray_of_hit(level, h)].hit;
   }
-  Float3 color_of(std::int32_t light) const {
-    const V3<float>& c = stand_.frozen().lights[light].color;
+  /// What comes of a light to a hit, if nothing blocks it.
+  Float3 arriving(std::int32_t index, std::size_t h) const {
+    const FrozenLight<float>& light = stand_.frozen().lights[index];
+    const V3<float> c =
+        light.fading.any ? light.color * terms_.at(Quantity::strength, h) : light.color;
     return {c.x, c.y, c.z};
   }
   /// Whether children of the level's hits, which are too deep to be traced, have the sky's colour.
@@ -169,12 +172,12 @@ void TreeReader::at_light(std::int32_t light, std::size_t shadow_rays, const Lev
   };
   for (std::size_t h = 0; h < hits; ++h)
     hit(level, h).lights.push_back(
-        {.reach = Reach::behind,
+        {.reach = terms_.is_dark(stand_.frozen().lights[light], h) ? Reach::dark : Reach::behind,
          .distance = far ? std::numeric_limits<double>::infinity()
                          : stand_.length(terms_.at(Quantity::light_distance, h)),
          .to_light = terms_.three_at(Quantity::to_light, h),
          .l_n = terms_.at(Quantity::l_n, h),
-         .arriving = color_of(light)});
+         .arriving = arriving(light, h)});
   for (std::size_t i = 0; i < shadow_rays; ++i) {
     const auto h = static_cast<std::size_t>(s.shadow_ray_hit[i]);
     LightTerms& at = of_light(h);

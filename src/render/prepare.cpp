@@ -9,6 +9,7 @@
 
 #include "accel/build.hpp"
 #include "engine/general/wavelengths.hpp"
+#include "scene/freeze_lights.hpp"
 
 namespace zraka {
 namespace {
@@ -142,6 +143,7 @@ bool needs_general_engine(const Scene& scene, const RenderOptions& options) {
 
 bool is_beyond_the_lab(const Scene& scene, const RenderOptions& options) {
   return needs_general_engine(scene, options) || options.profile.sky_beyond ||
+         std::any_of(scene.lights.begin(), scene.lights.end(), fades) ||
          std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
            return m.highlight != Highlight::phong || !m.casts_shadow;
          });

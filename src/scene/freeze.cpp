@@ -9,31 +9,12 @@
 
 #include "core/in_parallel.hpp"
 #include "scene/freeze_camera.hpp"
+#include "scene/freeze_lights.hpp"
 #include "scene/narrow.hpp"
 #include "scene/pieces.hpp"
 
 namespace zraka {
 namespace {
-
-/// So far away that the direction there is the same all over the scene.
-constexpr double kFar = 0x1p+40;
-
-/// A light from farther than that: nearer, where squares stay finite.
-Vec3 within_reach(const Vec3& light) {
-  const double away = std::max({std::fabs(light.x), std::fabs(light.y), std::fabs(light.z)});
-  return away > kFar ? Vec3{light.x / away * kFar, light.y / away * kFar, light.z / away * kFar}
-                     : light;
-}
-
-/// Where a light stands in the engine's frame, a directional one far away.
-Vec3 place_of(const Light& light, const Frame& frame) {
-  if (light.kind != LightKind::directional) return within_reach(frame.point(light.position));
-  const Vec3& d = light.direction;
-  const double most = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
-  const Vec3 way{-d.x / most, -d.y / most, -d.z / most};
-  const double far = kFar / std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
-  return {way.x * far, way.y * far, way.z * far};
-}
 
 template <class R>
 void freeze_material(const Material& m, const Profile& profile, R* row) {
@@ -359,7 +340,7 @@ std::unique_ptr<FrozenStore<R>> freeze(const Scene& scene, const Profile& profil
   frozen.ambient_light = narrow<R>(scene.ambient_light);
 
   for (const Light& light : scene.lights)
-    store->lights.push_back({narrow<R>(place_of(light, frame)), narrow<R>(light.color)});
+    store->lights.push_back(freeze_lean_light<R>(light, frame));
   frozen.lights = store->lights.data();
   frozen.light_count = static_cast<std::int32_t>(store->lights.size());
 

@@ -57,6 +57,8 @@ OpticalMaterial freeze_material(const Material& m, const Frame& frame) {
           .cut_group = m.cut_group};
 }
 
+}  // namespace
+
 OpticalLight freeze_light(const Light& light, const Frame& frame) {
   constexpr double kDegree = 3.14159265358979323846 / 180;
   const double world = frame.world_length(1);
@@ -87,6 +89,8 @@ OpticalLight freeze_light(const Light& light, const Frame& frame) {
   out.samples = light.is_surface() ? light.samples : 1;
   return out;
 }
+
+namespace {
 
 OpticalCut freeze_cut(const Cut& cut, const Frame& frame) {
   const V3<double> normal = unit(vector_of(cut.normal));
@@ -222,10 +226,7 @@ bool has_optics(const Scene& scene) {
   return scene.ambient_occlusion.samples > 0 || scene.sky.kind != Sky::Kind::flat ||
          scene.fog.kind != Fog::Kind::none || !scene.cuts.empty() ||
          std::any_of(scene.lights.begin(), scene.lights.end(),
-                     [](const Light& light) {
-                       if (light.kind == LightKind::directional) return false;
-                       return light.kind != LightKind::point || light.attenuation != Vec3{1, 0, 0};
-                     }) ||
+                     [](const Light& light) { return light.is_surface(); }) ||
          std::any_of(scene.materials.begin(), scene.materials.end(),
                      [](const Material& m) { return has_optics(m); }) ||
          (has_shadowless(scene) && has_shadowless_wholes(scene));

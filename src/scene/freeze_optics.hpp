@@ -23,6 +23,8 @@ struct StoredOptics {
   std::vector<float> body_sizes;
 };
 
+OpticalLight freeze_light(const Light& light, const Frame& frame);
+
 /// Whether a scene has anything that the lean engine has not.
 bool has_optics(const Scene& scene);
 

@@ -30,10 +30,25 @@ enum MaterialColumn {
   kMaterialReals = 16
 };
 
+/// What distance and a spot's cone leave of a light: 1/(c + l·d + q·d²), and from 1 at the inner
+/// angle to 0 at the outer one. Angles from the axis are in chords of the unit sphere, whose squares
+/// are 2 - 2·cos: floats have those of narrow cones, too.
+template <class R>
+struct FrozenFading {
+  bool any;                        ///< the rest is not set where there is none
+  R constant, linear, quadratic;  ///< by lengths of the engine's frame
+  bool has_cone, linear_edge;
+  V3<R> axis;                     ///< unit length, of travel
+  R inner_square, outer_square;   ///< squared chords
+  R outer;                        ///< radians, where the edge is linear
+  R slope;  ///< 1 by the edge's width: by squared chords, or where it is linear by radians
+};
+
 template <class R>
 struct FrozenLight {
   V3<R> position;
   V3<R> color;
+  FrozenFading<R> fading;
 };
 
 /// What src/cameras/ makes rays of; what a kind does not need is 0.

@@ -318,7 +318,7 @@ std::vector<std::string> Comments::write(Stage stage) {
       refraction();
       break;
   }
-  if (scene_.general) optics(stage);
+  optics(stage);
   return std::move(sentences_);
 }
 

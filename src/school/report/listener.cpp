@@ -118,8 +118,12 @@ void StageListener::at_light(std::int32_t light, std::size_t shadow_rays, const 
   RayTally::Light& facts = tally_.lights[static_cast<std::size_t>(light)];
   const auto hits = static_cast<std::size_t>(level.hit_count);
   const auto counted = [&](std::size_t h) { return counts_[root(0, level, h)] ? 1u : 0u; };
+  const bool lean = recorder_.general() == nullptr;
   for (std::size_t h = 0; h < hits; ++h) {
-    facts.away += counted(h);
+    // The lean engine has no shadow rays outside of a spot's cone.
+    const bool dark = lean && recorder_.terms().is_dark(scene_.lights[light], h);
+    (dark ? facts.facing : facts.away) += counted(h);
+    if (dark) facts.dark += counted(h);
     if (s.lit[h] > 0) reached_[h] = true;
   }
   for (std::size_t i = 0; i < shadow_rays; ++i) {
