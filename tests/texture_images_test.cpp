@@ -308,5 +308,41 @@ TEST(ImagesByDistance, SeeTheWholeWayFromTheEye) {
   EXPECT_NEAR(rendering->image.row(1)[3] * 255, 0.25 * 2.0001 * 40, 0.1);
 }
 
+/// Coefficients of a material often have one picture in several strengths; what is known of the
+/// first serves the others, and nothing else.
+TEST(TextureLookup, GivesWhatEachTextureGivesByItself) {
+  Image large(13, 7), small(6, 7);
+  Random random(3);
+  for (Image* image : {&large, &small})
+    for (float& v : image->pixels) v = static_cast<float>(random.unit());
+  Texture first = texture_of_image(std::make_shared<Image>(large), TextureFilter::distance);
+  first.reach = 20;
+  std::vector<Texture> all(12, first);
+  for (float& v : large.pixels) v *= 0.5f;
+  all[1].image = std::make_shared<Image>(large);
+  all[2].image = std::make_shared<Image>(small);
+  all[3].reach = 7;
+  all[4].filter = TextureFilter::bilinear;
+  all[5].filter = TextureFilter::mip;
+  all[6].mapping = TextureMapping::sphere;
+  all[7].mapping = TextureMapping::cylinder;
+  all[8].mapping = TextureMapping::solid, all[8].transform.along_x = {0.5, 0.25, 0};
+  all[9] = all[8], all[9].image = all[1].image;
+  all[10].mapping = TextureMapping::cylinder, all[10].repeat_u = 3;
+  all[11].kind = TextureKind::checker;
+  const TextureSet set(all);
+  const auto any = [&] { return 8 * random.unit() - 4; };
+  for (int i = 0; i < 3000; ++i) {
+    TexturePoint at = footprint_at({any(), any(), any()}, {any(), any(), 0}, {0, any(), any()});
+    at.u = any(), at.v = any(), at.distance = 10 + 2 * any();
+    TextureLookup known;
+    for (int ask = 0; ask < 6; ++ask) {
+      const auto texture = static_cast<std::uint32_t>(random.below(all.size()));
+      const TextureValue wanted = set.value(texture, at), value = set.value(texture, at, known);
+      ASSERT_TRUE(value.x == wanted.x && value.y == wanted.y && value.z == wanted.z) << texture;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace zraka

@@ -35,7 +35,7 @@ struct Found {
 
 /// What of it somebody wants to know, beside the transform.
 struct Wanted {
-  bool surface, curvature, footprint;
+  bool surface, curvature, footprint, unit;
 };
 
 /// The tables of one kind of primitive: where in it a slot is, and what it is there.
@@ -181,12 +181,24 @@ void find_footprint(const Seen& seen, const V3<double>& normal, const V3<double>
   }
 }
 
+/// How large the shape's space is here, and how far off the point may be in it.
+void find_unit(const V3<double>& point, const V3<double>& normal, Seen& seen) {
+  const auto largest = [](const V3<double>& v) {
+    return std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
+  };
+  TexturePoint& to = seen.detail.at;
+  seen.unit = 1 / length(vector_of(turned(vec3_of(normal), seen.to_shape)));
+  to.error = (largest(point) + 0x1p-10) * kEpsilon / seen.unit + largest(to.point) * 0x1p-50;
+}
+
 template <class R>
 Seen look(Ways<R>& ways, const FrozenTextures& textures, const HitPath& path,
           const V3<double>& point, const V3<double>& normal, const V3<double>& view, double width,
           const Wanted& wanted, HitDetail& detail) {
   ways.follow(path);
-  const Vec3 at = moved(vec3_of(point), ways.to_group());
+  // To the scene's own frame nothing moves, and no zero is left below 0.
+  const Vec3 at = path.group == nullptr ? Vec3{point.x + 0.0, point.y + 0.0, point.z + 0.0}
+                                        : moved(vec3_of(point), ways.to_group());
   const Found found = find_on_shape(ways.home(), textures, path, vector_of(at), wanted);
 
   Seen seen{detail, ways.to_shape(found.transform)};
@@ -194,19 +206,13 @@ Seen look(Ways<R>& ways, const FrozenTextures& textures, const HitPath& path,
     seen.along_u = vector_of(turned(vec3_of(found.surface.along_u), ways.from_group()));
     seen.along_v = vector_of(turned(vec3_of(found.surface.along_v), ways.from_group()));
   }
-  detail = {};
-  TexturePoint& to = detail.at;
+  TexturePoint& to = detail.at;  // what nobody asks for stays as it is
   to.point = vector_of(moved(vec3_of(point), seen.to_shape));
   to.u = found.surface.u, to.v = found.surface.v;
   to.v_ends = found.surface.v_ends;
   if (wanted.footprint) find_footprint(seen, normal, view, width, to);
-  const V3<double> n_own = vector_of(turned(vec3_of(normal), seen.to_shape));
-  seen.unit = 1 / length(n_own);
-  const double reach = std::fmax(std::fabs(point.x), std::fmax(std::fabs(point.y), std::fabs(point.z)));
-  to.error = (reach + 0x1p-10) * kEpsilon / seen.unit +
-             std::fmax(std::fabs(to.point.x),
-                       std::fmax(std::fabs(to.point.y), std::fabs(to.point.z))) *
-                 0x1p-50;
+  to.error = 0;
+  if (wanted.unit) find_unit(point, normal, seen);
   seen.detail.width = width;
   seen.detail.curvature = found.curvature * ways.group_scale();
   return seen;
@@ -292,21 +298,27 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
     const auto ray = static_cast<std::size_t>(level.hits.ray[h]);
     const V3<double> point = three(scratch.px, scratch.py, scratch.pz, h);
     const V3<double> view = three(scratch.vx, scratch.vy, scratch.vz, h);
-    V3<double> normal = three(scratch.nx, scratch.ny, scratch.nz, h);
-    normal = normal * (1 / length(normal));
     const double width = static_cast<double>(level.rays.width[begin + ray]) +
                          static_cast<double>(level.rays.spread[begin + ray]) *
                              static_cast<double>(scratch.t[ray]);
-    const Wanted wanted{its.sees_uv || scratch.explained, has_children || scratch.explained,
-                        its.sees_footprint || scratch.explained};
+    const bool bends = its.normals.kind != NormalUse::Kind::none, all = scratch.explained;
+    const Wanted wanted{its.sees_uv || all, has_children || all, its.sees_footprint || all,
+                        its.has_borders || bends || all};
+    V3<double> normal{};
+    if (wanted.footprint || wanted.unit) {
+      normal = three(scratch.nx, scratch.ny, scratch.nz, h);
+      normal = normal * (1 / length(normal));
+    }
     const Seen seen = look(ways, textures, scratch.paths[h], point, normal, view, width, wanted,
                      scratch.details[h]);
     seen.detail.at.distance = (static_cast<double>(level.rays.travelled[begin + ray]) +
                                static_cast<double>(scratch.t[ray])) /
                               scene.frame_scale;
+    TextureLookup known;
     for (std::int32_t i = 0; i < its.use_count; ++i)
-      put(its.uses[i].coefficient, textures.set->value(its.uses[i].texture, seen.detail.at), row);
-    if (its.normals.kind == NormalUse::Kind::none) continue;
+      put(its.uses[i].coefficient,
+          textures.set->value(its.uses[i].texture, seen.detail.at, known), row);
+    if (!bends) continue;
     if (scratch.smooth_x != nullptr) {
       scratch.smooth_x[h] = scratch.nx[h];
       scratch.smooth_y[h] = scratch.ny[h];

@@ -263,11 +263,12 @@ std::unique_ptr<StoredTextures> freeze_textures(const Scene& scene) {
       return m.normals.kind != NormalUse::Kind::none || std::any_of(uses, uses + count, test);
     };
     const TextureSet& set = stored->set;
-    MaterialTextures its{uses, count, m.normals, false, false, false};
+    MaterialTextures its{uses, count, m.normals, false, false, false, false};
     its.sees_uv = any_use(
         [&](const TextureUse& use) { return set.mapping(use.texture) == TextureMapping::uv; });
     its.sees_footprint =
         any_use([&](const TextureUse& use) { return set.sees_footprint(use.texture); });
+    its.has_borders = any_use([&](const TextureUse& use) { return set.has_borders(use.texture); });
     its.of_children = std::any_of(uses, uses + count, [](const TextureUse& use) {
       return use.coefficient == Coefficient::reflection ||
              use.coefficient == Coefficient::refraction;

@@ -16,6 +16,7 @@ struct MaterialTextures {
   NormalUse normals;
   bool sees_uv;         ///< some texture is laid over the surface, or bends its normals
   bool sees_footprint;  ///< some texture is a mean over what a pixel sees
+  bool has_borders;     ///< roundings decide which side of a border of some texture counts
   bool of_children;     ///< some texture says what is reflected or goes through
   bool any() const { return use_count > 0 || normals.kind != NormalUse::Kind::none; }
 };

@@ -2,6 +2,7 @@
 // A texture as its kind's functions look it up: in its own space, with what they made ready.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -19,6 +20,13 @@ struct IntoTexture {
   V3<double> origin{};                            ///< where the origin goes
   V3<double> direction(const V3<double>& d) const { return {dot(x, d), dot(y, d), dot(z, d)}; }
   V3<double> point(const V3<double>& p) const { return direction(p) + origin; }
+};
+
+/// A level of a pyramid as it is looked up.
+struct ImageLevel {
+  const float* pixels;
+  std::ptrdiff_t width, height;
+  double last_column, last_row;
 };
 
 struct PreparedTexture {
@@ -39,6 +47,7 @@ struct PreparedTexture {
   // What a kind's prepare() makes.
   Ramp ramp;
   std::shared_ptr<const Pyramid> pyramid;
+  std::vector<ImageLevel> levels;  ///< the pyramid's, of images that are looked up by distance
   /// How far to either side, along each axis, a slope looks at least; a part of the size.
   V3<double> finest{};
 
@@ -46,6 +55,12 @@ struct PreparedTexture {
   double error_scale = 0;   ///< how much the map lengthens a point's error
   bool keeps_v = false;     ///< the texture's v is the surface's
   bool sees_footprint = true;
+
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  /// The first texture of its set that lies as it does, so that one place serves them all.
+  std::uint32_t placed_like = kNone;
+  /// And of images that are looked up by distance, the first that takes the same texels; else kNone.
+  std::uint32_t sampled_like = kNone;
 };
 
 /// A place in a texture's space, and the footprint there.
@@ -58,6 +73,29 @@ struct TexturePlace {
   double away = 1;
   bool v_ends = false;  ///< v goes from 0 to 1 and no further, for the texture as well
 };
+
+/// Between which texels of an image a value lies: four of one level of its pyramid, or of two.
+struct ImageTaps {
+  struct Four {
+    std::size_t level;
+    std::ptrdiff_t at[4];  ///< floats from the level's first on: above, then below, from left to right
+    double right, below;
+  };
+  Four fine, coarse;
+  double coarser;  ///< the share of the coarse level; below 0 there is none
+};
+
+/// What has been found out of a point for a texture, and serves the next ones, too: coefficients of
+/// a material often have the same picture, each in its own strength.
+struct TextureLookup {
+  std::uint32_t placed = PreparedTexture::kNone, sampled = PreparedTexture::kNone;
+  TexturePlace place;
+  ImageTaps taps;
+};
+
+/// Of an image that is looked up by distance.
+void find_taps(const PreparedTexture& texture, const TexturePlace& at, ImageTaps& taps);
+TextureValue value_of_taps(const PreparedTexture& texture, const ImageTaps& taps);
 
 /// The width of a footprint along a direction of length 1, and where it is widest.
 double width_along(const TexturePlace& at, const V3<double>& direction);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "math/elementary.hpp"
 #include "textures/kinds.hpp"
@@ -123,9 +124,9 @@ void roll(const PreparedTexture& t, TexturePlace& place) {
   }
 }
 
-TexturePlace place_of(const PreparedTexture& t, const TexturePoint& at) {
-  TexturePlace place;
+void find_place(const PreparedTexture& t, const TexturePoint& at, TexturePlace& place) {
   place.distance = at.distance;
+  place.error = 0, place.away = 1, place.v_ends = false;
   if (t.mapping == TextureMapping::uv) {
     place.point = finite_point(t.into.point({at.u, at.v, 0}));
     for (int i = 0; t.sees_footprint && i < 2; ++i)
@@ -138,7 +139,29 @@ TexturePlace place_of(const PreparedTexture& t, const TexturePoint& at) {
     place.error = at.error * t.error_scale;
     if (t.mapping == TextureMapping::cylinder || t.mapping == TextureMapping::sphere) roll(t, place);
   }
+}
+
+TexturePlace place_of(const PreparedTexture& t, const TexturePoint& at) {
+  TexturePlace place;
+  find_place(t, at, place);
   return place;
+}
+
+/// Whether find_place() makes the same of every point.
+bool lie_alike(const PreparedTexture& a, const PreparedTexture& b) {
+  return a.mapping == b.mapping && std::memcmp(&a.into, &b.into, sizeof(a.into)) == 0 &&
+         a.repeat_u == b.repeat_u && a.repeat_v == b.repeat_v && a.offset_u == b.offset_u &&
+         a.offset_v == b.offset_v && a.sees_footprint == b.sees_footprint;
+}
+
+/// Whether find_taps() makes the same of every place.
+bool take_same_texels(const PreparedTexture& a, const PreparedTexture& b) {
+  const auto by_distance = [](const PreparedTexture& t) {
+    return t.filter == TextureFilter::distance && t.pyramid != nullptr;
+  };
+  return by_distance(a) && by_distance(b) && a.reach == b.reach &&
+         a.pyramid->level(0).width == b.pyramid->level(0).width &&
+         a.pyramid->level(0).height == b.pyramid->level(0).height;
 }
 
 double brightness(const TextureValue& c) {
@@ -167,11 +190,38 @@ double difference(const PreparedTexture& t, const TexturePoint& at, double step,
 TextureSet::TextureSet(const std::vector<Texture>& textures) {
   textures_.reserve(textures.size());
   for (const Texture& texture : textures) textures_.push_back(prepared(texture));
+  // Those that are alike are a material's, which stand side by side.
+  constexpr std::size_t kNear = 8;
+  for (std::size_t i = 0; i < textures_.size(); ++i) {
+    PreparedTexture& t = textures_[i];
+    for (std::size_t j = i < kNear ? 0 : i - kNear; j <= i; ++j) {
+      const auto index = static_cast<std::uint32_t>(j);
+      if (j != i && !lie_alike(textures_[j], t)) continue;
+      if (t.placed_like == PreparedTexture::kNone) t.placed_like = index;
+      if (t.sampled_like == PreparedTexture::kNone && take_same_texels(textures_[j], t))
+        t.sampled_like = index;
+    }
+  }
 }
 
 TextureValue TextureSet::value(std::uint32_t texture, const TexturePoint& at) const {
   const PreparedTexture& t = textures_[texture];
   return code_of(t).value(t, place_of(t, at));
+}
+
+TextureValue TextureSet::value(std::uint32_t texture, const TexturePoint& at,
+                               TextureLookup& known) const {
+  const PreparedTexture& t = textures_[texture];
+  if (known.placed != t.placed_like) {
+    known.placed = t.placed_like, known.sampled = PreparedTexture::kNone;
+    find_place(t, at, known.place);
+  }
+  if (t.sampled_like == PreparedTexture::kNone) return code_of(t).value(t, known.place);
+  if (known.sampled != t.sampled_like) {
+    known.sampled = t.sampled_like;
+    find_taps(t, known.place, known.taps);
+  }
+  return value_of_taps(t, known.taps);
 }
 
 V3<double> TextureSet::slope(std::uint32_t texture, const TexturePoint& at) const {

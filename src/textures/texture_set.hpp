@@ -21,6 +21,9 @@ class TextureSet {
   /// What a texture, as its index in Scene::textures, gives at a point. Coordinates that are not
   /// finite count as 0, footprints that are not as very large.
   TextureValue value(std::uint32_t texture, const TexturePoint& at) const;
+  /// The same, where others have been asked at this point: `known` is theirs, and of this point
+  /// alone.
+  TextureValue value(std::uint32_t texture, const TexturePoint& at, TextureLookup& known) const;
 
   /// How fast the mean of red, green and blue rises there: along x, y and z of the shape's space
   /// for a solid texture, along u, v and nothing for one over the surface. Measured across the
@@ -29,6 +32,11 @@ class TextureSet {
 
   /// Whether what it gives depends on the footprint.
   bool sees_footprint(std::uint32_t texture) const { return textures_[texture].sees_footprint; }
+
+  /// Whether it has borders, of which it depends on roundings what lies on which side.
+  bool has_borders(std::uint32_t texture) const {
+    return textures_[texture].kind != TextureKind::image;
+  }
 
   TextureMapping mapping(std::uint32_t texture) const { return textures_[texture].mapping; }
 
