@@ -58,6 +58,18 @@ TEST(Elementary, SineAndCosineAreRightForAnglesOfEverySize) {
   EXPECT_LT(worst, 1.25);
 }
 
+TEST(Elementary, SineAndCosineAreTheSameTogether) {
+  Random random(2);
+  const auto expect = [](double x) {
+    const own::SineCosine both = own::sine_cosine(x);
+    EXPECT_SAME(both.sine, own::sin(x));
+    EXPECT_SAME(both.cosine, own::cos(x));
+  };
+  for (int i = 0; i < 100000; ++i)
+    expect(i % 2 == 0 ? 40 * random.unit() - 20 : any_size(random, -60, 1023));
+  for (const double x : {0.0, -0.0, kInfinity, -kInfinity, kNan, kLeast, kMost}) expect(x);
+}
+
 TEST(Elementary, SineAndCosineAreRightNextToTheirZeros) {
   double worst = 0;
   for (int quarters = 1; quarters < 200000; ++quarters) {

@@ -20,6 +20,7 @@ struct PicturePoint {
 /// In the engine's frame; the direction is a unit vector.
 struct CameraRay {
   V3<double> origin, direction;
+  double shrink = 1;  ///< of a fisheye or panorama: how much shorter circles are than in the picture
 };
 
 /// The cone that holds what a pixel sees: its width where the ray starts, and per unit from there.

@@ -21,21 +21,20 @@ struct FisheyeCamera {
     double x = 0, y = 0;
     const double away = angle(camera, at, x, y);
     if (away > kHalfTurn) return false;
-    const double aside = away > 0 ? elementary::sin(away) / away : 1;
+    const elementary::SineCosine of = elementary::sine_cosine(away);
+    const double aside = away > 0 ? of.sine / away : 1;
     ray.origin = in_double(camera.eye);
     ray.direction =
-        normalized(in_double(camera.first) * elementary::cos(away) +
-                   in_double(camera.right) * (x * aside) + in_double(camera.down) * (y * aside));
+        normalized(in_double(camera.first) * of.cosine + in_double(camera.right) * (x * aside) +
+                   in_double(camera.down) * (y * aside));
+    ray.shrink = away > 0 ? std::fmax(0.0, of.sine) / away : 1;
     return true;
   }
 
   /// As wide along the radius everywhere; across it circles are as long as their angle's sine.
   template <class R>
-  static CameraCone cone(const FrozenCamera<R>& camera, const PicturePoint& at, const CameraRay&) {
-    double x = 0, y = 0;
-    const double away = angle(camera, at, x, y);
-    const double across = away > 0 ? std::fmax(0.0, elementary::sin(away)) / away : 1;
-    return {0, camera.step_down * std::sqrt(across)};
+  static CameraCone cone(const FrozenCamera<R>& camera, const PicturePoint&, const CameraRay& ray) {
+    return {0, camera.step_down * std::sqrt(ray.shrink)};
   }
 };
 

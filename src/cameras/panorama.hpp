@@ -12,18 +12,20 @@ struct PanoramaCamera {
   static bool ray(const FrozenCamera<R>& camera, const PicturePoint& at, CameraRay& ray) {
     const double longitude = camera.angle_right + camera.step_right * at.column;
     const double below = camera.angle_down + camera.step_down * at.row;
-    const double level = elementary::cos(below);
+    const elementary::SineCosine height = elementary::sine_cosine(below);
+    const elementary::SineCosine round = elementary::sine_cosine(longitude);
+    const double level = height.cosine;
     ray.origin = in_double(camera.eye);
-    ray.direction = normalized(in_double(camera.first) * (level * elementary::cos(longitude)) +
-                               in_double(camera.right) * (level * elementary::sin(longitude)) +
-                               in_double(camera.down) * elementary::sin(below));
+    ray.direction = normalized(in_double(camera.first) * (level * round.cosine) +
+                               in_double(camera.right) * (level * round.sine) +
+                               in_double(camera.down) * height.sine);
+    ray.shrink = std::fabs(level);
     return true;
   }
 
   template <class R>
-  static CameraCone cone(const FrozenCamera<R>& camera, const PicturePoint& at, const CameraRay&) {
-    const double below = camera.angle_down + camera.step_down * at.row;
-    return {0, std::sqrt(camera.step_right * camera.step_down * std::fabs(elementary::cos(below)))};
+  static CameraCone cone(const FrozenCamera<R>& camera, const PicturePoint&, const CameraRay& ray) {
+    return {0, std::sqrt(camera.step_right * camera.step_down * ray.shrink)};
   }
 };
 

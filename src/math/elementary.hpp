@@ -9,6 +9,11 @@ namespace zraka::elementary {
 /// give what C's functions give (C17, annex F), angles of any size are reduced exactly.
 double sin(double x);
 double cos(double x);
+/// Both of one angle, in little more time than one.
+struct SineCosine {
+  double sine, cosine;
+};
+SineCosine sine_cosine(double x);
 double atan2(double y, double x);
 double asin(double x);
 double exp(double x);

@@ -101,14 +101,15 @@ double cosine_of_rest(const Pair& r) {
   return high + (((1 - high) - half) + (z * z * series(z, kCosine) - r.high * r.low));
 }
 
+/// Of any finite angle.
+Turned reduced(double x) {
+  if (!(std::fabs(x) > 0.78)) return {0, {x, 0}};
+  const Turned t = turned(x);
+  return x < 0 ? Turned{4 - t.quarters, {-t.rest.high, -t.rest.low}} : t;
+}
+
 /// The sine of an angle that is so many quarter turns ahead.
-double sine(double x, unsigned ahead) {
-  if (!(std::fabs(x) < kInfinity)) return kNan;
-  Turned t{0, {x, 0}};
-  if (std::fabs(x) > 0.78) {
-    t = turned(x);
-    if (x < 0) t = {4 - t.quarters, {-t.rest.high, -t.rest.low}};
-  }
+double sine(const Turned& t, unsigned ahead) {
   const unsigned quarters = (t.quarters + ahead) % 4;
   const double value = quarters % 2 == 0 ? sine_of_rest(t.rest) : cosine_of_rest(t.rest);
   return quarters < 2 ? value : -value;
@@ -142,11 +143,17 @@ Pair arc_tangent(double y, double x) {
 }  // namespace
 
 double sin(double x) {
-  return sine(x, 0);
+  return std::fabs(x) < kInfinity ? sine(reduced(x), 0) : kNan;
 }
 
 double cos(double x) {
-  return sine(x, 1);
+  return std::fabs(x) < kInfinity ? sine(reduced(x), 1) : kNan;
+}
+
+SineCosine sine_cosine(double x) {
+  if (!(std::fabs(x) < kInfinity)) return {kNan, kNan};
+  const Turned t = reduced(x);
+  return {sine(t, 0), sine(t, 1)};
 }
 
 double atan2(double y, double x) {
