@@ -46,6 +46,19 @@ class SampleTracer {
     }
   }
 
+  /// The only sample of a pixel: its colour is the pixel's.
+  void add_only(std::int32_t x, std::int32_t y, float* color) {
+    Workspace<R>& workspace = memory_.workspace();
+    if (samples_.in_batches()) {
+      samples_.add(x, y, 0, 1, workspace, batch_, count_);
+    } else if (samples_.make(x, y, 0, workspace, count_) == SampleRays<R>::Made::nothing) {
+      std::fill_n(color, 3, 0.0f);
+      return;
+    }
+    only_.push_back(color);
+    if (++count_ == workspace.batch) flush();
+  }
+
   /// Traces what has been added.
   void flush() {
     if (count_ == 0) return;
@@ -58,6 +71,18 @@ class SampleTracer {
     if (memory_.general)
       for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
         note_cut(static_cast<double>(memory_.general->workspace().rays[0][i].cut));
+    if (only_.empty())
+      give_all(level);
+    else
+      give_only(level);
+    count_ = 0;
+  }
+
+  RayCounts counts;
+  double most_cut = 0, all_cut = 0;
+
+ private:
+  void give_all(const Level<R>& level) {
     std::fill_n(hits_.begin(), count_, std::uint8_t{0});
     for (std::int32_t h = 0; h < level.hit_count; ++h)
       hits_[static_cast<std::size_t>(level.hits.ray[h])] = 1;
@@ -67,13 +92,17 @@ class SampleTracer {
       first = run.end;
     }
     runs_.clear();
-    count_ = 0;
+  }
+  /// As FilmPixel::mean() has it, there is no zero below 0.
+  void give_only(const Level<R>& level) {
+    for (std::size_t i = 0; i < only_.size(); ++i) {
+      only_[i][0] = static_cast<float>(level.rays.r[i]) + 0.0f;
+      only_[i][1] = static_cast<float>(level.rays.g[i]) + 0.0f;
+      only_[i][2] = static_cast<float>(level.rays.b[i]) + 0.0f;
+    }
+    only_.clear();
   }
 
-  RayCounts counts;
-  double most_cut = 0, all_cut = 0;
-
- private:
   /// The more children hits have, the fewer hits: their rays have to stay near.
   static std::int32_t batch_of(const PictureJob<R>& job) {
     if (job.scene.optics == nullptr) return std::max(job.tile * job.tile, kLeastBatch);
@@ -127,6 +156,7 @@ class SampleTracer {
   TracerMemory<R> memory_;
   SampleBatch batch_;
   std::vector<Run> runs_;  ///< of samples of one pixel each
+  std::vector<float*> only_;  ///< or, of samples that are their pixels' only ones, these
   std::vector<std::uint8_t> hits_;
   std::int32_t count_ = 0;
   const bool adds_plainly_ = job_.options.sampling.kind != Sampling::Kind::adaptive &&
@@ -153,14 +183,21 @@ class SampledPicture {
     const std::uint64_t area = area_of(job_.part);
     WorkProgress progress(job_.options, area, area);
     PerThread<std::vector<FilmPixel>> films;
+    const bool needs_film = samples_.count() > 1 || !alpha_.empty() ||
+                            job_.options.sampling.filter == PixelFilter::mitchell;
     const bool complete = each_tile_of(job_.part, [&](const TileRect& tile) {
-      std::vector<FilmPixel>& film = films.local();
-      film.assign(area_of(tile), FilmPixel());
-      const Film in_tile{film.data(), tile};
-      const std::uint64_t rays =
-          trace(tile, in_tile, samples_.count(), [](std::int32_t, std::int32_t) { return true; });
+      std::uint64_t rays = 0;
+      if (needs_film) {
+        std::vector<FilmPixel>& film = films.local();
+        film.assign(area_of(tile), FilmPixel());
+        const Film in_tile{film.data(), tile};
+        rays =
+            trace(tile, in_tile, samples_.count(), [](std::int32_t, std::int32_t) { return true; });
+        if (!cancelled()) develop(tile, in_tile);
+      } else {
+        rays = trace_only(tile);
+      }
       if (cancelled()) return;
-      develop(tile, in_tile);
       if (job_.tile_done != nullptr && alpha_.empty())
         (*job_.tile_done)(rendering_.image,
                           {tile.x - job_.part.x, tile.y - job_.part.y, tile.width, tile.height});
@@ -247,17 +284,12 @@ class SampledPicture {
     SampleTracer<R>& tracer = tracers_.local();
     const std::uint64_t before = tracer.counts.total();
     const TileRect seen = bounds_ ? bounds_->part_of(tile) : tile;
-    const V3<R>& background = job_.scene.background;
-    FilmSample empty;
-    if (!job_.options.transparent)
-      empty.color[0] = static_cast<float>(background.x),
-      empty.color[1] = static_cast<float>(background.y),
-      empty.color[2] = static_cast<float>(background.z);
+    const FilmSample empty = empty_sample();
     each_pixel(tile, [&](std::int32_t column, std::int32_t row) {
       const std::int32_t x = tile.x + column, y = tile.y + row;
       if (!wants(x, y) || cancelled()) return;
       FilmPixel& pixel = film.at(x, y);
-      if (x >= seen.x && y >= seen.y && x < seen.x + seen.width && y < seen.y + seen.height) {
+      if (contains(seen, x, y)) {
         tracer.add(x, y, pixel.count(), target, pixel);
         return;
       }
@@ -268,11 +300,44 @@ class SampledPicture {
     return tracer.counts.total() - before;
   }
 
+  /// Brings a tile's pixels their only samples.
+  std::uint64_t trace_only(const TileRect& tile) {
+    SampleTracer<R>& tracer = tracers_.local();
+    const std::uint64_t before = tracer.counts.total();
+    const TileRect seen = bounds_ ? bounds_->part_of(tile) : tile;
+    const FilmSample empty = empty_sample();
+    each_pixel(tile, [&](std::int32_t column, std::int32_t row) {
+      const std::int32_t x = tile.x + column, y = tile.y + row;
+      if (cancelled()) return;
+      float* const color = color_at(x, y);
+      if (contains(seen, x, y)) return tracer.add_only(x, y, color);
+      for (int c = 0; c < 3; ++c) color[c] = empty.color[c] + 0.0f;
+      ++tracer.counts.camera;
+    });
+    tracer.flush();
+    return tracer.counts.total() - before;
+  }
+
+  static bool contains(const TileRect& rect, std::int32_t x, std::int32_t y) {
+    return x >= rect.x && y >= rect.y && x < rect.x + rect.width && y < rect.y + rect.height;
+  }
+
+  /// Of what surely hits nothing.
+  FilmSample empty_sample() const {
+    if (job_.options.transparent) return {};
+    const V3<R>& sky = job_.scene.background;
+    return {{static_cast<float>(sky.x), static_cast<float>(sky.y), static_cast<float>(sky.z)}};
+  }
+
+  float* color_at(std::int32_t x, std::int32_t y) const {
+    return rendering_.image.row(static_cast<std::uint32_t>(y - job_.part.y)) +
+           3 * (x - job_.part.x);
+  }
+
   /// Makes pixels of the image of a film's.
   void develop(const TileRect& rect, const Film& film) {
     for (std::int32_t y = rect.y; y < rect.y + rect.height; ++y) {
-      float* color = rendering_.image.row(static_cast<std::uint32_t>(y - job_.part.y)) +
-                     3 * (rect.x - job_.part.x);
+      float* color = color_at(rect.x, y);
       for (std::int32_t x = rect.x; x < rect.x + rect.width; ++x, color += 3) {
         film.at(x, y).mean(samples_.filter(), color);
         if (!alpha_.empty())
