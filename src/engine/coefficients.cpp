@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "accel/body_surface.hpp"
+#include "engine/shape_spaces.hpp"
 #include "scene/bounds_of.hpp"
 #include "shapes/primitive_uv.hpp"
 #include "textures/texture_set.hpp"
@@ -38,6 +40,22 @@ struct Wanted {
   bool surface, curvature, footprint, unit;
 };
 
+/// Object::transform of what is hit, where that is all that is asked for.
+template <class R>
+std::int32_t transform_on(const FrozenScene<R>& scene, const HitPath& path) {
+#define ZRAKA_TRANSFORM(Type, plural)                                              \
+  if (const std::int32_t at = path.slot - scene.plural.first_slot;                 \
+      at >= 0 && at < scene.plural.count) {                                        \
+    const FrozenMapping& mapping = scene.plural.mapping;                           \
+    return mapping.transform == nullptr                                            \
+               ? 0                                                                 \
+               : mapping.transform[scene.plural.id[at] - scene.plural.first_id];   \
+  }
+  ZRAKA_INLINED_KINDS(ZRAKA_TRANSFORM)
+#undef ZRAKA_TRANSFORM
+  return scene.bodies.transform[path.body];
+}
+
 /// The tables of one kind of primitive: where in it a slot is, and what it is there.
 template <class R, class Shape>
 bool find_primitive(const FrozenScene<R>& scene, const FrozenTextures& textures,
@@ -48,7 +66,6 @@ bool find_primitive(const FrozenScene<R>& scene, const FrozenTextures& textures,
   const std::int32_t index = shapes.id[at] - shapes.first_id;
   const FrozenMapping& mapping = shapes.mapping;
   if (mapping.transform != nullptr) found.transform = mapping.transform[index];
-  if (!wanted.surface && !wanted.curvature) return true;
   double numbers[ShapeTraits<Shape>::kReals];
   for (int k = 0; k < ShapeTraits<Shape>::kReals; ++k)
     numbers[k] = static_cast<double>(shapes.column[k][at]);
@@ -73,24 +90,18 @@ bool find_primitive(const FrozenScene<R>& scene, const FrozenTextures& textures,
 }
 
 template <class R>
-Found find_on_shape(const FrozenScene<R>& scene, const FrozenTextures& textures,
-                    const HitPath& path, const V3<double>& point, const Wanted& wanted) {
-  Found found;
+void find_on_shape(const FrozenScene<R>& scene, const FrozenTextures& textures,
+                   const HitPath& path, const V3<double>& point, const Wanted& wanted,
+                   Found& found) {
   found.point = point;
 #define ZRAKA_FIND(Type, plural) \
-  if (find_primitive(scene, textures, scene.plural, path.slot, wanted, found)) return found;
+  if (find_primitive(scene, textures, scene.plural, path.slot, wanted, found)) return;
   ZRAKA_INLINED_KINDS(ZRAKA_FIND)
 #undef ZRAKA_FIND
   found.transform = scene.bodies.transform[path.body];
-  if (!wanted.surface && !wanted.curvature) return found;
   const OnBody on = isa_oracle::on_body(scene.bodies, path.body, point);
   found.surface = on.surface;
   found.curvature = on.curvature;
-  return found;
-}
-
-Transform map_of(const double (&m)[12]) {
-  return {{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}, {m[9], m[10], m[11]}};
 }
 
 /// One hit: where it is for textures, and how its normal may be bent.
@@ -111,55 +122,6 @@ struct UvGradients {
     const double scale = det != 0 ? 1 / det : 0;
     u = un * scale, v = vn * scale;
   }
-};
-
-/// The way from the engine's frame to the spaces of shapes, which is mostly that of the hit before.
-template <class R>
-class Ways {
- public:
-  explicit Ways(const FrozenScene<R>& scene) : scene_(scene) { start(nullptr); }
-
-  /// To the group that a hit's shape stands in.
-  void follow(const HitPath& path) {
-    if (path.group == group_ &&
-        (group_ == nullptr || std::memcmp(path.to_frame, to_frame_, sizeof(to_frame_)) == 0))
-      return;
-    group_ = path.group;
-    std::copy_n(path.to_frame, 12, to_frame_);
-    start(static_cast<const FrozenScene<R>*>(path.group));
-  }
-  const FrozenScene<R>& home() const { return *home_; }
-  const Transform& from_group() const { return from_group_; }
-  const Transform& to_group() const { return to_group_; }
-  /// Of its unit.
-  double group_scale() const { return group_scale_; }
-  /// By Object::transform, to the shape's space.
-  const Transform& to_shape(std::int32_t transform) {
-    if (transform == transform_) return to_shape_;
-    transform_ = transform;
-    const double scale = 1 / home_->frame_scale;
-    const Transform to_space{{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}, home_->frame_center};
-    to_shape_ = then(to_group_, to_space);
-    if (transform != 0) to_shape_ = then(to_shape_, scene_.textures->to_shape[transform - 1]);
-    return to_shape_;
-  }
-
- private:
-  void start(const FrozenScene<R>* group) {
-    home_ = group == nullptr ? &scene_ : group;
-    from_group_ = group == nullptr ? Transform() : map_of(to_frame_);
-    to_group_ = group == nullptr ? Transform() : inverse(from_group_).value_or(Transform());
-    group_scale_ = length(vector_of(turned({1, 0, 0}, to_group_)));
-    transform_ = -1;
-  }
-
-  const FrozenScene<R>& scene_;
-  const FrozenScene<R>* home_;
-  const void* group_ = nullptr;
-  double to_frame_[12]{};
-  Transform from_group_, to_group_, to_shape_;
-  double group_scale_;
-  std::int32_t transform_;
 };
 
 /// A cone cuts the surface in an ellipse: as wide as it is across, longer where it comes flat.
@@ -192,29 +154,31 @@ void find_unit(const V3<double>& point, const V3<double>& normal, Seen& seen) {
 }
 
 template <class R>
-Seen look(Ways<R>& ways, const FrozenTextures& textures, const HitPath& path,
+Seen look(ShapeSpaces<R>& ways, const FrozenTextures& textures, const HitPath& path,
           const V3<double>& point, const V3<double>& normal, const V3<double>& view, double width,
           const Wanted& wanted, HitDetail& detail) {
   ways.follow(path);
   // To the scene's own frame nothing moves, and no zero is left below 0.
   const Vec3 at = path.group == nullptr ? Vec3{point.x + 0.0, point.y + 0.0, point.z + 0.0}
                                         : moved(vec3_of(point), ways.to_group());
-  const Found found = find_on_shape(ways.home(), textures, path, vector_of(at), wanted);
+  const bool asks = wanted.surface || wanted.curvature;
+  std::optional<Found> found;  // many textures need a point alone
+  if (asks) find_on_shape(ways.home(), textures, path, vector_of(at), wanted, found.emplace());
 
-  Seen seen{detail, ways.to_shape(found.transform)};
-  if (wanted.surface) {
-    seen.along_u = vector_of(turned(vec3_of(found.surface.along_u), ways.from_group()));
-    seen.along_v = vector_of(turned(vec3_of(found.surface.along_v), ways.from_group()));
-  }
+  Seen seen{detail, ways.to_shape(asks ? found->transform : transform_on(ways.home(), path))};
   TexturePoint& to = detail.at;  // what nobody asks for stays as it is
+  if (wanted.surface) {
+    seen.along_u = vector_of(turned(vec3_of(found->surface.along_u), ways.from_group()));
+    seen.along_v = vector_of(turned(vec3_of(found->surface.along_v), ways.from_group()));
+    to.u = found->surface.u, to.v = found->surface.v;
+    to.v_ends = found->surface.v_ends;
+  }
   to.point = vector_of(moved(vec3_of(point), seen.to_shape));
-  to.u = found.surface.u, to.v = found.surface.v;
-  to.v_ends = found.surface.v_ends;
   if (wanted.footprint) find_footprint(seen, normal, view, width, to);
   to.error = 0;
   if (wanted.unit) find_unit(point, normal, seen);
   seen.detail.width = width;
-  seen.detail.curvature = found.curvature * ways.group_scale();
+  seen.detail.curvature = asks ? found->curvature * ways.group_scale() : 0;
   return seen;
 }
 
@@ -282,12 +246,13 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
   const FrozenTextures& textures = *scene.textures;
   const auto n = static_cast<std::size_t>(level.hit_count);
   const auto begin = static_cast<std::size_t>(level.done);
-  Ways<R> ways(scene);
+  ShapeSpaces<R> ways(scene);
+  TextureLookup known;
   for (std::size_t h = 0; h < n; ++h) {
     const std::int32_t material = scratch.material[h];
     const R* const from = scene.materials + std::ptrdiff_t{material} * kMaterialReals;
     R* const row = scratch.own_rows + h * kMaterialReals;
-    for (int k = 0; k < kMaterialReals; ++k) row[k] = from[k];
+    std::memcpy(row, from, kMaterialReals * sizeof(R));
     const MaterialTextures& its = textures.of_material[material];
     const bool has_children =
         its.of_children || row[kReflection] != R(0) || row[kRefraction] != R(0);
@@ -314,7 +279,7 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
     seen.detail.at.distance = (static_cast<double>(level.rays.travelled[begin + ray]) +
                                static_cast<double>(scratch.t[ray])) /
                               scene.frame_scale;
-    TextureLookup known;
+    known.placed = PreparedTexture::kNone;
     for (std::int32_t i = 0; i < its.use_count; ++i)
       put(its.uses[i].coefficient,
           textures.set->value(its.uses[i].texture, seen.detail.at, known), row);
