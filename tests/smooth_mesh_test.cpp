@@ -93,5 +93,33 @@ TEST(SmoothMesh, TakesLightForTheWayInside) {
   }
 }
 
+/// A face whose blended normals lean so far from it that mirrored rays go on behind it: to what is
+/// there, and not to the face once more.
+TEST(SmoothMesh, MirrorsGoOnBehindFacesWhereTheirNormalsSendThem) {
+  Scene scene;
+  scene.resolution = {5, 5};
+  scene.camera = {{0, 0, 10}, {0, 0, 0}, {0.001, 0, 0}, {0, 0.001, 0}};
+  scene.ambient_light = {1, 1, 1};
+  scene.materials = {{.ambient = {0, 0.25, 0}, .diffuse = {}, .reflection = 0.5},
+                     {.ambient = {0.5, 0, 0}, .diffuse = {}}};
+  const Vec3 leaning{std::sqrt(0.75), 0, 0.5};  // by 60°: what comes straight goes on at 30° behind
+  scene.smooth_triangles.push_back(
+      {SmoothTriangle{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, leaning, leaning, leaning}, 0});
+  scene.parallelograms.push_back({Parallelogram{{-9, -9, -1}, {18, 0, 0}, {0, 18, 0}}, 1});
+  for (const double scale : {1e-4, 1.0, 1e4}) {
+    Scene other = scene;
+    SmoothTriangle& t = other.smooth_triangles[0].shape;
+    for (Vec3* corner : {&t.a, &t.b, &t.c})
+      *corner = {corner->x * scale, corner->y * scale, corner->z * scale};
+    for (RenderOptions options : {RenderOptions{}, RenderOptions{.min_contribution = 1e-9}})
+      for (const Isa isa : {available_isas().front(), Isa::portable, Isa::oracle}) {
+        options.isa = isa;
+        const float* const pixel = picture_of(other, options).row(2) + 3 * 2;
+        EXPECT_NEAR(pixel[0], 0.25, 1e-6) << name_of(isa) << scale;
+        EXPECT_NEAR(pixel[1], 0.25, 1e-6) << name_of(isa) << scale;
+      }
+  }
+}
+
 }  // namespace
 }  // namespace zraka

@@ -22,7 +22,8 @@ constexpr double kOwnOffset = sizeof(R) == 4 ? 0x1p-30 : 0x1p-47;
 template <class L>
 struct SurfaceMemory {
   using R = typename L::Real;
-  alignas(64) R point[3][L::kWidth], normal[3][L::kWidth], offset[L::kWidth], inside[L::kWidth];
+  alignas(64) R point[3][L::kWidth], normal[3][L::kWidth], offset[L::kWidth], inside[L::kWidth],
+      behind[L::kWidth];
   alignas(64) std::int32_t material[L::kWidth];
 
   explicit SurfaceMemory(const Surfaces<L>& s) {
@@ -32,13 +33,15 @@ struct SurfaceMemory {
     L::store(s.at.normal.y, normal[1]), L::store(s.at.normal.z, normal[2]);
     L::store(s.at.offset, offset);
     L::store(select(s.at.inside, F(R(1)), F(R(0))), inside);
+    L::store(select(s.at.behind, F(R(1)), F(R(0))), behind);
     L::store(s.material, material);
   }
   Surfaces<L> back() const {
     return {{{L::load(point[0]), L::load(point[1]), L::load(point[2])},
              {L::load(normal[0]), L::load(normal[1]), L::load(normal[2])},
              L::load(offset),
-             L::load(inside) > typename L::F(R(0))},
+             L::load(inside) > typename L::F(R(0)),
+             L::load(behind) > typename L::F(R(0))},
             L::load(material)};
   }
   void set(std::size_t lane, const V3<double>& at, const V3<double>& way) {
@@ -308,6 +311,7 @@ void surfaces_of_instance(const FrozenShapes<typename L::Real, Body>& bodies, st
     out.offset[lane] = static_cast<R>(out.largest(lane) * kBodyOffset<R> +
                                       static_cast<double>(found.offset[lane]) / stretch);
     out.inside[lane] = found.inside[lane];
+    out.behind[lane] = found.behind[lane];
     out.material[lane] =
         found.material[lane] >= 0 ? found.material[lane] : bodies.material[body];
     if (paths != nullptr)

@@ -92,6 +92,7 @@ struct Scratch {
   R *nx, *ny, *nz;     ///< unit normal towards the viewer
   R *vx, *vy, *vz;     ///< unit direction to the viewer
   R* offset;           ///< how far along the normal the next rays start
+  R* mirror_side;      ///< 1 where reflected rays start before the surface, -1 behind it
   R* inside;           ///< 1 where the ray hit the surface from inside, else 0
   std::int32_t* material;
   /// Rows of kMaterialReals, and by hit which one holds its coefficients: the materials', or where

@@ -104,6 +104,7 @@ void find_surfaces(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R
     L::store(-direction.z, scratch.vz + h);
     L::store(rules.offset(surface.offset), scratch.offset + h);
     L::store(select(inside, F(1), F(0)), scratch.inside + h);
+    L::store(select(surface.behind, F(-1), F(1)), scratch.mirror_side + h);
     L::store(material, scratch.material + h);
   }
 }

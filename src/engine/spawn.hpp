@@ -114,7 +114,8 @@ void spawn_reflected(const TraceSettings& settings, Level<R>& level,
     }
     L::store(reflection, level.hits.reflection + h);
     L::store(refraction, level.hits.refraction + h);
-    append_rays<L>(next, hit.point + hit.normal * hit.offset,
+    const F offset = hit.offset * L::load(scratch.mirror_side + h);
+    append_rays<L>(next, hit.point + hit.normal * offset,
                    rules.reflected(hit.normal * (hit.cosine + hit.cosine) - hit.view),
                    but_not(L::first(n - h), reflection == F(0)), level.hits.reflected + h);
   }

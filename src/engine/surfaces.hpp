@@ -33,6 +33,7 @@ ZRAKA_INLINE void surface_of(const FrozenShapes<typename L::Real, Shape>& shapes
   surface.normal = pick(found.normal, surface.normal);
   surface.offset = select(mine, found.offset, surface.offset);
   surface.inside = either(both(mine, found.inside), but_not(surface.inside, mine));
+  surface.behind = either(both(mine, found.behind), but_not(surface.behind, mine));
   material =
       select(mine, shared ? I(shapes.material[one]) : L::gather(shapes.material, index), material);
 }

@@ -35,7 +35,7 @@ void place_all(Layout& layout, Level<R>* levels, Workspace<R>& workspace,
   Scratch<R>& s = workspace.scratch;
   s.explained = needs.explained;
   layout.place(batch, s.t, s.px, s.py, s.pz, s.nx, s.ny, s.nz, s.vx, s.vy, s.vz, s.offset, s.inside,
-               s.lx, s.ly, s.lz, s.lit, s.strength);
+               s.lx, s.ly, s.lz, s.lit, s.strength, s.mirror_side);
   const auto shadow_rays = static_cast<std::size_t>(std::max(needs.batch, needs.shadow_rays));
   layout.place(shadow_rays, s.sox, s.soy, s.soz, s.sdx, s.sdy, s.sdz, s.sdistance);
   layout.place(shadow_rays, s.shadow_ray_hit);

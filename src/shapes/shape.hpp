@@ -57,6 +57,8 @@ struct SurfacePoint {
   V3<F> normal;  ///< unit length, outward
   F offset;      ///< a ray that starts this far along the normal surely starts outside
   M inside;      ///< the ray came from within
+  /// Mirrored rays go on behind the surface: a blended normal may lean that far from the face's.
+  M behind = L::first(0);
 };
 
 }  // namespace ZRAKA_ISA

@@ -76,8 +76,11 @@ struct ShapeLanes<SmoothTriangle, L> {
     // the same. Which side that is, the face says, so that light goes on evenly up to the outline.
     const F outward = dot(normal, seen.normal);  // negative: the corners run the other way round
     const F along = dot(seen.normal, direction);
+    const F mirrored = along - (dot(normal, direction) + dot(normal, direction)) * outward;
+    const auto behind = either(both(along > F(0.0f), mirrored > F(0.0f)),
+                               both(along < F(0.0f), mirrored < F(0.0f)));
     return {on_surface, normal, TriangleLanes<L>::offset_at(seen, on_surface),
-            select(outward < F(0.0f), -along, along) > F(0.0f)};
+            select(outward < F(0.0f), -along, along) > F(0.0f), behind};
   }
 };
 

@@ -100,7 +100,8 @@ class Spawner {
       return false;
     }
     const auto at = static_cast<std::size_t>(next_.ray_count++);
-    const double side = kind == RayKind::reflected ? 1 : -1;
+    const double side =
+        kind == RayKind::reflected ? static_cast<double>(batch_.scratch.mirror_side[h]) : -1;
     const V3<double> origin = batch_.point(h) + batch_.smooth_normal(h) * (side * batch_.offset(h));
     const V3<double> way = unit(direction);
     next_.rays.ox[at] = static_cast<R>(origin.x), next_.rays.oy[at] = static_cast<R>(origin.y);

@@ -68,6 +68,7 @@ void copy_hit(const Scratch<R>& source, std::size_t from, Scratch<R>& target, st
   target.vx[to] = source.vx[from], target.vy[to] = source.vy[from], target.vz[to] = source.vz[from];
   target.offset[to] = source.offset[from];
   target.inside[to] = source.inside[from];
+  target.mirror_side[to] = source.mirror_side[from];
   target.material[to] = source.material[from];
   target.paths[to] = source.paths[from];
 }
@@ -220,6 +221,7 @@ void CutWalks<R>::take_cap(Walk& walk, const Scratch<R>& found, std::size_t i, s
   s.nx[walk.h] = static_cast<R>(normal.x), s.ny[walk.h] = static_cast<R>(normal.y);
   s.nz[walk.h] = static_cast<R>(normal.z);
   s.inside[walk.h] = enters ? R(0) : R(1);
+  s.mirror_side[walk.h] = R(1);
   s.t[walk.ray] = static_cast<R>(at);
   s.slot[walk.ray] = slot;
 }
