@@ -12,22 +12,23 @@ namespace zraka {
 namespace {
 
 /// So far away that the direction there is the same all over the scene.
-constexpr double kFar = 0x1p+40;
+constexpr double kFarAwayLight = 0x1p+40;
 
 /// A light from farther than that: nearer, where squares stay finite.
-Vec3 within_reach(const Vec3& light) {
+Vec3 brought_near(const Vec3& light) {
   const double away = std::max({std::fabs(light.x), std::fabs(light.y), std::fabs(light.z)});
-  return away > kFar ? Vec3{light.x / away * kFar, light.y / away * kFar, light.z / away * kFar}
-                     : light;
+  return away > kFarAwayLight ? Vec3{light.x / away * kFarAwayLight, light.y / away * kFarAwayLight,
+                                     light.z / away * kFarAwayLight}
+                              : light;
 }
 
 /// Where a light stands in the engine's frame, a directional one far away.
 Vec3 place_of(const Light& light, const Frame& frame) {
-  if (light.kind != LightKind::directional) return within_reach(frame.point(light.position));
+  if (light.kind != LightKind::directional) return brought_near(frame.point(light.position));
   const Vec3& d = light.direction;
   const double most = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
   const Vec3 way{-d.x / most, -d.y / most, -d.z / most};
-  const double far = kFar / std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
+  const double far = kFarAwayLight / std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
   return {way.x * far, way.y * far, way.z * far};
 }
 

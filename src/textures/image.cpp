@@ -138,7 +138,7 @@ struct Rgb {
   friend Rgb operator*(const Rgb& x, double s) { return {x.rg * Two{s, s}, x.b * s}; }
 };
 
-Rgb between(const ImageLevel& image, const ImageTaps::Four& four) {
+Rgb mixed_of(const ImageLevel& image, const ImageTaps::Four& four) {
   const auto at = [&](int i) { return Rgb::at(image.pixels + four.at[i]); };
   const double left = 1 - four.right;
   const Rgb upper = at(0) * left + at(1) * four.right;
@@ -199,10 +199,10 @@ void find_taps(const PreparedTexture& t, const TexturePlace& at, ImageTaps& taps
 }
 
 TextureValue value_of_taps(const PreparedTexture& t, const ImageTaps& taps) {
-  Rgb value = between(t.levels[taps.fine.level], taps.fine);
+  Rgb value = mixed_of(t.levels[taps.fine.level], taps.fine);
   if (taps.coarser >= 0)
     value = value * (1 - taps.coarser) +
-            between(t.levels[taps.coarse.level], taps.coarse) * taps.coarser;
+            mixed_of(t.levels[taps.coarse.level], taps.coarse) * taps.coarser;
   return {value.rg[0], value.rg[1], value.b};
 }
 
