@@ -44,11 +44,12 @@ StageGrade Grader::Impl::unreadable(int stage, const std::string& file,
   return {.stage = stage, .file = file, .verdict = Verdict::unreadable, .problems = problems};
 }
 
-/// What is another stage's right picture shows nothing that its own adds, whatever the cause.
+/// What is another stage's right picture shows nothing that its own adds, whatever the cause: many
+/// a mistake hides it all, and those that the catalogue has are no likelier than others.
 void say_right_as(int stage, StageGrade& grade) {
-  if (stage == 0) return;
+  if (stage == 0 || stage == grade.stage) return;
   grade.right_as = stage;
-  grade.verdict = grade.mistakes.empty() ? Verdict::unknown : Verdict::probable;
+  grade.verdict = Verdict::unknown;
 }
 
 /// A word in the name tells the stage. A number is only a hint: where the picture is right as

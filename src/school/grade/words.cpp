@@ -118,12 +118,10 @@ std::vector<std::string> findings(Language language, const Grader& grader,
     case Verdict::unknown:
       if (stage.right_as == 0)
         lines.push_back(say(language, Word::grade_differs, percent(language, stage.share_wrong)));
+      else if (!stage.mistakes.empty())
+        lines.push_back(say(language, Word::grade_perhaps, text_of(language, stage.mistakes[0])));
       break;
     case Verdict::probable:
-      if (stage.right_as != 0) {
-        lines.push_back(say(language, Word::grade_perhaps, text_of(language, stage.mistakes[0])));
-        break;
-      }
       lines.push_back(say(language, Word::grade_probable, text_of(language, stage.mistakes[0])));
       lines.push_back(say(language, Word::grade_unexplained, percent(language, stage.share_wrong),
                           percent(language, stage.share_left)));
@@ -198,7 +196,8 @@ std::string grades_table(Language language, const std::vector<Grade>& grades) {
     std::set<Mistake> named;
     for (const StageGrade& stage : grade.stages) {
       text += fmt::format(" {}{}", stage.stage, sign_of(stage.verdict));
-      if (!stage.mistakes.empty()) named.insert(stage.mistakes.front());
+      if (stage.verdict != Verdict::unknown && !stage.mistakes.empty())
+        named.insert(stage.mistakes.front());
     }
     for (const Mistake mistake : named) text += fmt::format("  {}", text_of(language, mistake));
     text += "\n";

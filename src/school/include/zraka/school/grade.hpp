@@ -67,8 +67,8 @@ struct StageGrade {
   /// Those that make the picture; several where it cannot tell them apart.
   std::vector<Mistake> mistakes{};
   bool both = false;       ///< two at once: the first, and one of the others
-  /// Another stage whose right picture it is: then what this stage adds is not to be seen, and any
-  /// mistakes are only what might hide it. 0: none.
+  /// Another stage whose right picture it is: then what this stage adds is not to be seen. Nothing
+  /// is named then: mistakes are only some that would hide it. 0: none.
   int right_as = 0;
   bool repeated = false;   ///< the mistake was there in an earlier stage
   double share_wrong = 0;  ///< pixels that differ from the right picture
