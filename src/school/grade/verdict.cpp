@@ -18,6 +18,8 @@ constexpr double kAsLikely = 1.3;
 /// It explains most where it leaves this much of the pixels, and of the squared differences, and
 /// every other one leaves this many times as much.
 constexpr double kMostOfPixels = 0.1, kMostOfSquares = 0.05, kNext = 2;
+/// And of the blocks that all differ: what leaves such is another mistake, which is like it.
+constexpr double kMostOfBlocks = 0.004;
 /// A mistake may be one of two if it takes away this much of the squared differences.
 constexpr double kPartly = 0.1;
 /// What an alteration hides is there if it explains this share of what is left in squares, and is
@@ -214,6 +216,7 @@ bool Judge::name_probable(const std::vector<Match>& matches, StageGrade& grade) 
   };
   if (best.rest.share > kMostOfPixels * right.rest.share || best.rest.share > 0.2 ||
       best.rest.energy > kMostOfSquares * right.rest.energy ||
+      best.rest.solid > kMostOfBlocks * right.rest.solid ||
       !std::all_of(matches.begin(), matches.end(), apart))
     return false;
   settle(Verdict::probable, best.rest, grade);
