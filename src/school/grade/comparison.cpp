@@ -33,20 +33,22 @@ bool is_small_shift(Mistake mistake) {
 }  // namespace
 
 StageComparison::StageComparison(const StagePictures& pictures, int stage, const Fitted& fitted,
-                                 const Compression& compression)
+                                 const Compression& compression, const MistakenBy& by)
     : pictures_(pictures),
       sized_(fitted.pictures != nullptr ? *fitted.pictures : pictures),
       stage_(stage),
       wanted_(sized_.right(stage)),
       fitted_(fitted),
       tables_(compression.tables) {
-  if (stage > 1) refine(fitted_, wanted_);
+  const Image mistaken = by == MistakenBy{} ? Image() : sized_.picture(stage, by);
+  const Image& shown = by == MistakenBy{} ? wanted_ : mistaken;
+  if (stage > 1) refine(fitted_, shown);
   close_ = closeness_of(fitted_, compression.jpeg, pictures.rubric());
   if (stage == 1) {
     fitted_.image = as_silhouette(fitted_.image);
     close_.biased = 1;  // at outlines it is white or black
   }
-  trim_frame(fitted_, wanted_);
+  trim_frame(fitted_, shown);
   ways_ = ways_to_align();
   if (stage == 1) ways_.resize(1);
 }

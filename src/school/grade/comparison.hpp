@@ -34,8 +34,9 @@ struct Compression {
 
 class StageComparison {
  public:
+  /// It lies where it lies best on the picture with `by`, by default on the right one.
   StageComparison(const StagePictures& pictures, int stage, const Fitted& fitted,
-                  const Compression& compression);
+                  const Compression& compression, const MistakenBy& by = {});
 
   const Region& region() const { return fitted_.region; }
   const Image& wanted() const { return wanted_; }

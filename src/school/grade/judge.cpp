@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "school/grade/by_mistakes.hpp"
 #include "school/grade/verdict.hpp"
 #include "school/grade/view.hpp"
 
@@ -13,7 +14,7 @@ namespace zraka {
 namespace {
 
 /// Outlines that are less alike than this tell nothing.
-constexpr double kLike = 0.5, kSeen = 0.65;
+constexpr double kLike = 0.5;
 constexpr double kPlain = 1e-6;
 
 bool is_turn(Mistake mistake) {
@@ -50,7 +51,7 @@ std::optional<StageGrade> judge_as_whole(const StagePictures& pictures, int stag
   return std::nullopt;
 }
 
-/// Mirrored and turned is only turned another way: as a whole, or nobody knows.
+/// Mirrored and turned may be only turned another way.
 StageGrade turned_without_mirror(const StagePictures& pictures, int stage,
                                  const Registered& submitted, StageGrade grade) {
   const bool mirrored = grade.verdict == Verdict::mistaken &&
@@ -66,8 +67,6 @@ StageGrade turned_without_mirror(const StagePictures& pictures, int stage,
     StageGrade other = Judge(pictures, stage, fitted, submitted.compression()).verdict(nullptr);
     if (other.verdict == Verdict::right) return other;
   }
-  grade.verdict = Verdict::unknown;
-  grade.mistakes.clear();
   return grade;
 }
 
@@ -136,7 +135,11 @@ StageGrade judge_where_it_lies(const StagePictures& pictures, int stage,
     // A second mistake is easily lost in what an inexact fit allows.
     StageGrade grade = Judge(pictures, stage, fitted, submitted.compression())
                            .verdict(fitted.exact ? &known : nullptr);
-    if (is_settled(grade)) return grade;
+    if (is_settled(grade)) {
+      if (std::optional<StageGrade> wide = judge_as_wide(pictures, stage, submitted, fitted))
+        return *wide;
+      return grade;
+    }
     // A picture that may lie anywhere is rather where its outlines say.
     if (best != nullptr && fitted.likeness <= std::max(best->likeness, kLike)) continue;
     best = &fitted;
@@ -147,16 +150,9 @@ StageGrade judge_where_it_lies(const StagePictures& pictures, int stage,
   StageGrade grade = best->exact
                          ? std::move(of_best)
                          : Judge(pictures, stage, *best, submitted.compression()).verdict(&known);
-  if (stage == 1 || grade.verdict != Verdict::unknown || best->likeness >= kSeen) return grade;
-  // A mirrored picture in a window. One of another view may be the right one, scaled.
-  for (const Fitted& fitted :
-       fit(submitted.handed_in(), submitted.jpeg(), pictures.mirrored_outlines(),
-           pictures.right(7).width, pictures.right(7).height)) {
-    StageGrade mirrored = Judge(pictures, stage, fitted, submitted.compression()).verdict(nullptr);
-    if (mirrored.verdict == Verdict::mistaken && mirrored.alignment.visible > 0.9 &&
-        mirrored.mistakes.front() == Mistake::x_mirrored)
-      return mirrored;
-  }
+  if (stage == 1 || grade.verdict != Verdict::unknown) return grade;
+  if (std::optional<StageGrade> mistaken = judge_by_mistakes(pictures, stage, submitted))
+    return *mistaken;
   return grade;
 }
 

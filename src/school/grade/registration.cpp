@@ -12,13 +12,24 @@
 namespace zraka {
 namespace {
 
-/// Sides of the right picture in the steps of the search.
-constexpr std::uint32_t kCoarse = 24, kMiddle = 64, kFine = 200;
 /// A position that is as good as this needs no search.
 constexpr double kGood = 0.8;
 /// A scale that is as near to 1 as this may be 1: frames of windows pull at edges.
 constexpr double kNearlyOne = 0.03;
-constexpr double kSmallest = 0.45, kLargest = 3.3, kStep = 1.07;
+
+struct Turned {
+  Turn turn;
+  Grid full;
+};
+
+struct Hypothesis {
+  std::size_t turned;
+  GridPlacement at;  ///< of the whole template in the whole submission
+  double likeness;
+  double bonus = 0;  ///< where nothing has to be taken for granted
+};
+
+}  // namespace
 
 Grid reduced_to(const Grid& plane, std::uint32_t side) {
   const std::uint32_t most = std::max(plane.width, plane.height);
@@ -34,26 +45,11 @@ Grid reduced_to(const Grid& plane, std::uint32_t side) {
       width, height);
 }
 
-/// The placement of one size of template and submission in those of another.
 GridPlacement rescaled(const GridPlacement& p, double template_by_x, double template_by_y,
                        double submission_by_x, double submission_by_y) {
   return {p.left * submission_by_x, p.top * submission_by_y,
           p.across * submission_by_x / template_by_x, p.down * submission_by_y / template_by_y};
 }
-
-struct Turned {
-  Turn turn;
-  Grid full;
-};
-
-struct Hypothesis {
-  std::size_t turned;
-  GridPlacement at;  ///< of the whole template in the whole submission
-  double likeness;
-  double bonus = 0;  ///< where nothing has to be taken for granted
-};
-
-}  // namespace
 
 Grid outlines(const Image& image) {
   Grid out(image.width, image.height);
@@ -78,9 +74,9 @@ Grid outlines(const Image& image) {
 
 struct Template::Sizes {
   explicit Sizes(const Grid& grid)
-      : coarse(reduced_to(grid, kCoarse)),
-        middle(reduced_to(grid, kMiddle)),
-        fine(reduced_to(grid, kFine)),
+      : coarse(reduced_to(grid, kCoarseOutlines)),
+        middle(reduced_to(grid, kMiddleOutlines)),
+        fine(reduced_to(grid, kFineOutlines)),
         full(grid) {}
   Searched coarse, middle, fine, full;
 };
@@ -92,14 +88,6 @@ Template::Template(const std::vector<const Image*>& pictures) {
     for (std::size_t i = 0; i < one.values.size(); ++i) outlines_.values[i] += one.values[i];
   }
   sizes_ = std::make_shared<const Sizes>(outlines_);
-}
-
-Template Template::mirrored() const {
-  Template other = *this;
-  for (std::uint32_t y = 0; y < outlines_.height; ++y)
-    std::reverse(other.outlines_.row(y), other.outlines_.row(y) + outlines_.width);
-  other.sizes_ = std::make_shared<const Sizes>(other.outlines_);
-  return other;
 }
 
 /// By whole pixels, in the right picture's own size; all of its pixels are asked.
@@ -150,7 +138,7 @@ std::vector<Position> Template::find(const Image& submission) const {
   std::vector<Hypothesis> all;
   const auto try_whole = [&](std::size_t i) {
     const double across = turns[i].full.width / w, down = turns[i].full.height / h;
-    if (std::fabs(across / down - 1) > 0.07) return;
+    if (std::fabs(across / down - 1) > kAxesApart) return;
     Hypothesis hypothesis{i, {0, 0, across, down}, -1};
     judge(hypothesis, 0.5, 0.25);
     hypothesis.bonus = i == 0 ? 0.1 : 0.05;
@@ -167,7 +155,7 @@ std::vector<Position> Template::find(const Image& submission) const {
       const Grid base = reduced_to(turns[i].full, 400);
       const double base_x = static_cast<double>(base.width) / turns[i].full.width,
                    base_y = static_cast<double>(base.height) / turns[i].full.height;
-      for (double scale = kSmallest; scale <= kLargest; scale *= kStep) {
+      for (double scale = kSmallestScale; scale <= kLargestScale; scale *= kScaleStep) {
         const auto width = static_cast<std::uint32_t>(
                        std::round(turns[i].full.width / scale * coarse.width / w)),
                    height = static_cast<std::uint32_t>(
@@ -241,7 +229,8 @@ std::vector<Position> Template::find(const Image& submission) const {
   const GridPlacement whole{0, 0, turned.full.width / w, turned.full.height / h};
   if (near(whole)) {
     if (whole != shifted && !own_size) add(whole);
-  } else if (off(submission.width / w, submission.height / h * 1.0) < 0.07 * submission.width / w) {
+  } else if (off(submission.width / w, submission.height / h * 1.0) <
+             kAxesApart * submission.width / w) {
     positions.push_back({{}, {0, 0, submission.width / w, submission.height / h}, 0});
   }
   // Screens scale both axes alike.

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "school/grade/correlation.hpp"
 #include "school/grade/resample.hpp"
 
 namespace zraka {
@@ -32,14 +33,25 @@ struct Position {
 /// Outlines of a picture: how much its colours change, compressed.
 Grid outlines(const Image& image);
 
+/// With sides of no more than `side`.
+Grid reduced_to(const Grid& plane, std::uint32_t side);
+/// A placement of one size of template and submission in those of another.
+GridPlacement rescaled(const GridPlacement& p, double template_by_x, double template_by_y,
+                       double submission_by_x, double submission_by_y);
+
+/// Sides of what is searched for in the steps of the search.
+inline constexpr std::uint32_t kCoarseOutlines = 24, kMiddleOutlines = 64, kFineOutlines = 200;
+/// The scales that are tried.
+inline constexpr double kSmallestScale = 0.45, kLargestScale = 3.3, kScaleStep = 1.07;
+/// Axes may be scaled that far apart.
+inline constexpr double kAxesApart = 0.07;
+
 /// What is searched for.
 class Template {
  public:
   Template() = default;
   /// From pictures of the same size that show the same silhouettes.
   explicit Template(const std::vector<const Image*>& pictures);
-  /// With left and right exchanged.
-  Template mirrored() const;
   /// Positions in a submission that may be right, the plainest first: at least one. Scales from 0.5
   /// to 3 are tried, axes up to 7 % apart.
   std::vector<Position> find(const Image& submission) const;

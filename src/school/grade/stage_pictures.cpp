@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "school/grade/stage_pictures.hpp"
 
-
 #include <algorithm>
 
 #include "core/threads.hpp"
@@ -53,7 +52,6 @@ Result<std::unique_ptr<StagePictures>> StagePictures::create(const Scene& scene,
   // Silhouettes are in all pictures; light and mirrors add to them.
   made->outlines_ = Template(
       {&made->right(1), &made->right(1), &made->right(2), &made->right(3), &made->right(7)});
-  made->mirrored_outlines_ = made->outlines_.mirrored();
   return made;
 }
 
@@ -174,6 +172,29 @@ const std::vector<Candidate>& StagePictures::mistaken(int stage) const {
   // would wait here for the thread itself.
   std::call_once(kept.once, [&] {
     undisturbed([&] { kept.pictures = render_all(stage); });
+  });
+  return kept.pictures;
+}
+
+const std::vector<Sought>& StagePictures::sought(int stage) const {
+  Outlined& kept = sought_[index(stage)];
+  const std::vector<Candidate>& all = mistaken(stage);
+  std::call_once(kept.once, [&] {
+    const Searched right(reduced_to(zraka::outlines(coarse(stage)), kMiddleOutlines));
+    for (const Candidate& candidate : all) {
+      switch (candidate.by.first) {
+        // The search itself turns and shifts.
+        case Mistake::y_down:
+        case Mistake::transposed:
+        case Mistake::pixel_center:
+        case Mistake::shifted:
+          continue;
+        default:
+          break;
+      }
+      Sought& one = kept.pictures.emplace_back(candidate.by, zraka::outlines(candidate.coarse));
+      one.like_right = SearchLevel(right, one.middle.grid).likeness({});
+    }
   });
   return kept.pictures;
 }

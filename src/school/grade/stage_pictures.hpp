@@ -21,6 +21,17 @@ struct Candidate {
   Image coarse;
 };
 
+/// A mistake's picture that submissions are searched for.
+struct Sought {
+  Sought(const MistakenBy& made_by, const Grid& outlines)
+      : by(made_by),
+        coarse(reduced_to(outlines, kCoarseOutlines)),
+        middle(reduced_to(outlines, kMiddleOutlines)) {}
+  MistakenBy by;
+  Searched coarse, middle;  ///< its outlines
+  double like_right = 1;    ///< how alike they are to the right picture's
+};
+
 class StagePictures {
  public:
   static Result<std::unique_ptr<StagePictures>> create(const Scene& scene,
@@ -41,11 +52,12 @@ class StagePictures {
   std::array<float, 3> background() const;
   const Image& coarse(int stage) const { return coarse_[index(stage)]; }
   const Template& outlines() const { return outlines_; }
-  const Template& mirrored_outlines() const { return mirrored_outlines_; }
 
   /// The mistakes that this scene can show in the stage, of every stride()-th pixel, as `coarse`;
   /// made when they are first asked for.
   const std::vector<Candidate>& mistaken(int stage) const;
+  /// Those of mistaken() that lie elsewhere than the right picture would, or have other outlines.
+  const std::vector<Sought>& sought(int stage) const;
   /// Products of what any two of them change, one row for each.
   const std::vector<double>& products(int stage) const;
   /// The same on top of a mistake, with fewer pixels.
@@ -78,8 +90,13 @@ class StagePictures {
   mutable std::array<Image, 7> right_;
   mutable std::array<std::once_flag, 7> right_once_;
   std::array<Image, 7> coarse_;
-  Template outlines_, mirrored_outlines_;
+  Template outlines_;
   mutable std::array<Made, 7> mistaken_;
+  struct Outlined {
+    std::once_flag once;
+    std::vector<Sought> pictures;
+  };
+  mutable std::array<Outlined, 7> sought_;
   mutable std::mutex mutex_;
   mutable std::map<std::pair<int, Mistake>, Made> besides_;
   /// With mistakes, as they were asked for; a scene has hundreds of these.

@@ -17,8 +17,10 @@ inline constexpr double kNear = 0.6;
 class Judge {
  public:
   Judge(const StagePictures& pictures, int stage, const Fitted& fitted,
-        const Compression& compression)
-      : pictures_(pictures), stage_(stage), compared_(pictures, stage, fitted, compression) {}
+        const Compression& compression, const MistakenBy& lies_on = {})
+      : pictures_(pictures),
+        stage_(stage),
+        compared_(pictures, stage, fitted, compression, lies_on) {}
 
   /// Two mistakes at once are only looked for where that is wanted.
   StageGrade verdict(const std::set<Mistake>* known);
