@@ -19,6 +19,7 @@
 #include "course_scenes.hpp"
 #include "outside_tracer.hpp"
 #include "picture_files.hpp"
+#include "school/grade/align.hpp"
 #include "school/grade/words.hpp"
 
 namespace zraka {
@@ -47,6 +48,11 @@ struct Tally {
   int missed = 0;   ///< taken for right
   int wrong = 0, wrong_as_fact = 0;
 };
+
+/// Shows it nothing but its background? What is plain is a kind of its own.
+bool is_plain(const Image& picture) {
+  return spread(picture, {0, 0, picture.width, picture.height}) < 1e-4;
+}
 
 struct Bench {
   explicit Bench(unsigned seed) : random(seed) {
@@ -97,7 +103,8 @@ struct Bench {
       const std::size_t scene = random() % 3;
       const int stage = random() % 2 == 0 ? 7 : std::max(2, entry.first_stage);
       const Image picture = graders[scene].picture(stage, entry.mistake);
-      if (measure_errors(picture, graders[scene].picture(stage), 2.5 / 255).share() < 0.02)
+      if (measure_errors(picture, graders[scene].picture(stage), 2.5 / 255).share() < 0.02 ||
+          is_plain(picture))
         continue;
       return {"one mistake",   std::string(entry.key), scene, stage, picture,
               {entry.mistake}, some_alterations(i)};
@@ -209,8 +216,11 @@ void Bench::judge(const Case& c, unsigned seed) {
   const StageGrade& got = grade.stages.front();
   const std::string_view verdict = key_of(got.verdict);
   const auto names = [&](Mistake mistake) {
-    return std::find(got.mistakes.begin(), got.mistakes.end(), mistake) != got.mistakes.end();
+    return verdict != "unknown" &&
+           std::find(got.mistakes.begin(), got.mistakes.end(), mistake) != got.mistakes.end();
   };
+  const bool quarter_turned =
+      std::find(c.how.begin(), c.how.end(), Alteration::transposed) != c.how.end();
   // What the alignment takes back is told there; what was turned twice is as it should be.
   const auto told = [&](Mistake mistake) {
     if (names(mistake)) return true;
@@ -219,6 +229,8 @@ void Bench::judge(const Case& c, unsigned seed) {
         return got.alignment.swapped;
       case Mistake::gamma_applied:
         return got.alignment.curve != Alignment::Curve::none;
+      case Mistake::x_mirrored:
+        return verdict == "right" && quarter_turned && got.alignment.transposed;
       case Mistake::y_down:
       case Mistake::transposed:
       case Mistake::shifted:
