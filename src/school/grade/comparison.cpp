@@ -122,6 +122,13 @@ Match StageComparison::look_at(const Candidate& candidate, const Image& picture)
           rest_of(smooth_, picture, fitted_.region, close_)};
 }
 
+Rest StageComparison::left_of_rounding(const Image& picture) const {
+  Closeness close = close_;
+  close.reach = false;
+  close.tolerance = static_cast<float>((pictures_.rubric().tolerance + 0.5) / 255);
+  return rest_of(smooth_, picture, fitted_.region, close);
+}
+
 void StageComparison::look_closely(std::vector<Match>& matches) const {
   std::erase_if(matches, [&](const Match& m) { return m.candidate == nullptr || m.way != way_; });
   const auto nearer = [](const Match& a, const Match& b) { return a.distance < b.distance; };

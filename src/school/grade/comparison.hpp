@@ -58,6 +58,9 @@ class StageComparison {
   std::size_t best_way(const std::vector<Match>& matches) const;
   /// Keeps the best few of the chosen way, compared pixel by pixel, the nearest first.
   void look_closely(std::vector<Match>& matches) const;
+  /// What is left where nothing but a JPEG's rounding was lost, which the picture has lost as well:
+  /// values between those of neighbours are excused no more. Right pictures leave no blocks.
+  Rest left_of_rounding(const Image& picture) const;
   Match look_at(const Candidate& candidate, const Image& picture) const;
 
   /// A picture with mistakes in the size of the submission's, as it comes out of its scaling.

@@ -19,7 +19,9 @@ constexpr double kAsLikely = 1.3;
 /// every other one leaves this many times as much.
 constexpr double kMostOfPixels = 0.1, kMostOfSquares = 0.05, kNext = 2;
 /// And of the blocks that all differ: what leaves such is another mistake, which is like it.
-constexpr double kMostOfBlocks = 0.004;
+constexpr double kMostOfBlocks = 0.004, kFewBlocks = 2;
+/// Pictures that lie so near to whole pixels may lie there.
+constexpr double kPartOfPixel = 0.25;
 /// A mistake may be one of two if it takes away this much of the squared differences.
 constexpr double kPartly = 0.1;
 /// What an alteration hides is there if it explains this share of what is left in squares, and is
@@ -47,6 +49,27 @@ bool Judge::explains(const Match& match) const {
          match.rest.share <= close.share && match.rest.biased <= close.biased &&
          match.rest.solid == 0 && match.rest.energy <= 0.1 * right.rest.energy &&
          match.distance < right.distance;
+}
+
+/// Is something left that a JPEG's tolerance hides, and that rounding does not make?
+bool Judge::leaves_a_shape(const Match& match) const {
+  const Fitted& fitted = compared_.fitted();
+  if (compared_.close().blur == 0 || stage_ == 1) return false;
+  if (!fitted.exact) {
+    // It may lie by whole pixels where that is near: fractions hide as much.
+    const GridPlacement& at = fitted.placement;
+    const GridPlacement whole{std::round(at.left), std::round(at.top), 1, 1};
+    const auto off = [](double a, double b) { return std::fabs(a - b) > kPartOfPixel; };
+    if (fitted.source == nullptr || fitted.alignment.unpainted || off(at.left, whole.left) ||
+        off(at.top, whole.top) || at.across != 1 || at.down != 1)
+      return false;
+    Judge there(pictures_, stage_, placed_at(fitted, whole), compression_);
+    there.compared_.take_way(compared_.way());
+    return there.leaves_a_shape(match);
+  }
+  const Image picture = compared_.picture_of(match.candidate->by);
+  const double of_right = compared_.left_of_rounding(compared_.picture_of({})).solid;
+  return compared_.left_of_rounding(picture).solid > std::max(kFewBlocks, kMostOfBlocks * of_right);
 }
 
 /// Those that explain the picture and that it cannot tell from the best one.
@@ -217,7 +240,7 @@ bool Judge::name_probable(const std::vector<Match>& matches, StageGrade& grade) 
   if (best.rest.share > kMostOfPixels * right.rest.share || best.rest.share > 0.2 ||
       best.rest.energy > kMostOfSquares * right.rest.energy ||
       best.rest.solid > kMostOfBlocks * right.rest.solid ||
-      !std::all_of(matches.begin(), matches.end(), apart))
+      !std::all_of(matches.begin(), matches.end(), apart) || leaves_a_shape(best))
     return false;
   settle(Verdict::probable, best.rest, grade);
   for (const Match& match : matches)
@@ -294,7 +317,8 @@ StageGrade Judge::verdict(const std::set<Mistake>* known) {
     return match.distance <= kFarFromBest * best && !compared_.has_its_powers(match.candidate->by);
   });
   const std::vector<Match> likely = as_likely(matches);
-  if (!likely.empty() && compared_.shows(likely.front().candidate->by)) {
+  if (!likely.empty() && compared_.shows(likely.front().candidate->by) &&
+      !leaves_a_shape(likely.front())) {
     settle(Verdict::mistaken, likely.front().rest, grade);
     for (const Match& match : likely) grade.mistakes.push_back(match.candidate->by.first);
     if (likely.size() == 1 && known != nullptr) name_second(likely.front(), grade);

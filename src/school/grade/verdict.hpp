@@ -20,6 +20,7 @@ class Judge {
         const Compression& compression, const MistakenBy& lies_on = {})
       : pictures_(pictures),
         stage_(stage),
+        compression_(compression),
         compared_(pictures, stage, fitted, compression, lies_on) {}
 
   /// Two mistakes at once are only looked for where that is wanted.
@@ -34,6 +35,7 @@ class Judge {
   bool find_right(std::vector<Match>& by_few);
   void lie_on_nearest(const std::vector<Match>& by_few);
   bool explains(const Match& match) const;
+  bool leaves_a_shape(const Match& match) const;
   std::vector<Match> as_likely(const std::vector<Match>& matches) const;
   std::vector<Match> hidden_besides(const MistakenBy& by, const Image& picture, bool& sign) const;
   void name_second(const Match& first, StageGrade& grade) const;
@@ -47,6 +49,7 @@ class Judge {
 
   const StagePictures& pictures_;
   int stage_;
+  Compression compression_;
   StageComparison compared_;
   mutable std::deque<Candidate> made_;  ///< pairs
 };
