@@ -16,15 +16,18 @@ constexpr double kOtherOutlines = 0.6;
 constexpr double kLiesThere = 0.65;
 /// So many places are refined with few pixels, near to what was found or anywhere, and the best of
 /// them with more, and judged.
-constexpr std::size_t kNearOnes = 8, kAnywhere = 16, kJudged = 3;
+constexpr std::size_t kNearOnes = 6, kAnywhere = 10, kJudged = 3;
 /// TurnedOutlines less alike than this tell nothing.
-constexpr double kLeastLike = 0.35;
+constexpr double kLeastLike = 0.55;
 /// The whole is meant where its outlines are less alike by no more than this.
 constexpr double kAboutAsGood = 0.05;
 /// What is only probable is so where outlines say it, too: by so much more than for the right one.
 constexpr double kMoreAlike = 0.15;
 /// The area around the right picture, in areas of that, that tells whether more is seen.
 constexpr double kAround = 0.3;
+/// A strip around the middle is seen where it has this part of it, and is the picture's where it
+/// leaves no more than this of what a plain one does.
+constexpr double kGoesOnAround = 0.2;
 
 /// A place where a mistake's picture may lie.
 struct Place {
@@ -171,6 +174,29 @@ std::vector<Place> places_anywhere(const std::vector<Sought>& all, const TurnedO
   return places;
 }
 
+/// Twice as wide and high, about the same middle.
+GridPlacement doubled(const GridPlacement& at, double width, double height) {
+  return {at.left - at.across * width / 2, at.top - at.down * height / 2, 2 * at.across,
+          2 * at.down};
+}
+
+/// Does a picture go on around its middle, which is surely there? Windows' frames do not.
+bool goes_on_around(const Fitted& doubled, const Image& picture) {
+  const auto clipped = [&](std::uint32_t by) {
+    const std::uint32_t x = picture.width / by, y = picture.height / by;
+    const Region& r = doubled.region;
+    return Region{std::max(r.left, x), std::max(r.top, y), std::min(r.right, picture.width - x),
+                  std::min(r.bottom, picture.height - y)};
+  };
+  const Region middle = clipped(4), more = clipped(5);
+  if (middle.left >= middle.right || middle.top >= middle.bottom) return false;
+  const double around = more.pixels() - middle.pixels();
+  const double left = more.pixels() * mean_square(doubled.image, picture, more) -
+                      middle.pixels() * mean_square(doubled.image, picture, middle);
+  return around >= kGoesOnAround * middle.pixels() &&
+         left <= kGoesOnAround * around * spread(picture, more);
+}
+
 /// The best ones, none of them twice.
 std::vector<Place> most_alike(std::vector<Place> places, std::size_t most) {
   std::sort(places.begin(), places.end(), more_alike);
@@ -210,6 +236,13 @@ std::optional<StageGrade> judge_by_mistakes(const StagePictures& pictures, int s
                    0.06);
     const Fitted fitted = fitted_at({kTurns[there.turn], there.at, there.likeness}, painted,
                                     unpainted, right.width, right.height);
+    // The picture of a window that is too small is the right one's middle, which may go on around.
+    if (by == MistakenBy(Mistake::view_narrow) &&
+        goes_on_around(
+            fitted_at({kTurns[there.turn], doubled(there.at, right.width, right.height), 0},
+                      painted, unpainted, right.width, right.height),
+            right))
+      continue;
     StageGrade grade = Judge(pictures, stage, fitted, submitted.compression(), by).verdict(nullptr);
     const bool sure = grade.verdict == Verdict::mistaken ||
                       (grade.verdict == Verdict::probable && place.likeness > seen + kMoreAlike);
@@ -224,11 +257,9 @@ std::optional<StageGrade> judge_as_wide(const StagePictures& pictures, int stage
                                         const Registered& submitted, const Fitted& right) {
   if (right.source == nullptr) return std::nullopt;
   const Image& whole = pictures.right(stage);
-  const double w = right.image.width, h = right.image.height;
-  const GridPlacement& at = right.placement;
-  // Twice as wide and high, about the same middle.
-  const GridPlacement wide{at.left - at.across * w / 2, at.top - at.down * h / 2,
-                           2 * at.across * w / whole.width, 2 * at.down * h / whole.height};
+  GridPlacement wide = doubled(right.placement, right.image.width, right.image.height);
+  wide.across *= static_cast<double>(right.image.width) / whole.width;
+  wide.down *= static_cast<double>(right.image.height) / whole.height;
   const Fitted fitted = fitted_at({right.turn, wide, right.likeness}, submitted.handed_in(), false,
                                   whole.width, whole.height);
   const MistakenBy by = Mistake::view_wide;

@@ -54,7 +54,8 @@ bool Judge::explains(const Match& match) const {
 /// Is something left that a JPEG's tolerance hides, and that rounding does not make?
 bool Judge::leaves_a_shape(const Match& match) const {
   const Fitted& fitted = compared_.fitted();
-  if (compared_.close().blur == 0 || stage_ == 1) return false;
+  // Of other colours the same ones would have lost something else.
+  if (compared_.close().blur == 0 || stage_ == 1 || compared_.way() != 0) return false;
   if (!fitted.exact) {
     // It may lie by whole pixels where that is near: fractions hide as much.
     const GridPlacement& at = fitted.placement;
