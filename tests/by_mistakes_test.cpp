@@ -100,6 +100,17 @@ TEST_F(ByMistakes, WhatIsAllowedIsRightAsNoOtherStage) {
   }
 }
 
+/// The middle of the right picture is what a narrow view shows: here more is there around it.
+TEST_F(ByMistakesOfTheThirdScene, WhatWasCutAndFramedIsNoNarrowView) {
+  for (const unsigned seed : {1, 2, 5}) {
+    altered::Random random(seed);
+    altered::Altered a{outside::Tracer(scene, 3).picture()};
+    altered::alter(a, Alteration::crop, random);
+    altered::alter(a, Alteration::title_bar, random);
+    EXPECT_NE(judged(a.image, {}, "diffuse").verdict, Verdict::mistaken) << seed;
+  }
+}
+
 /// What is left has a shape: a part of a sphere that lies behind another one.
 TEST_F(ByMistakesOfTheThirdScene, IsNotProbableWhereAShapeIsLeft) {
   const Image picture = outside::Tracer(scene, 2, outside::Slip::farthest_hit).picture();
