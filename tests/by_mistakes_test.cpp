@@ -1,43 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of mistakes that lie elsewhere than the right one, or have other outlines, altered.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-
-#include "alterations.hpp"
-#include "course_scenes.hpp"
+#include "handed_in.hpp"
 #include "outside_tracer.hpp"
-#include "picture_files.hpp"
-#include "school/grade/words.hpp"
 
 namespace zraka {
 namespace {
 
 using altered::Alteration;
 
-/// A scene, its grader, and a folder that is gone when the test is over.
-class ByMistakes : public testing::Test {
+class ByMistakes : public HandedInPictures {
  protected:
-  explicit ByMistakes(const Scene& of = course_scene())
-      : scene(of), grader(Grader::create(scene, lab_options()).value()) {
-    std::filesystem::create_directories(folder);
-  }
-  ~ByMistakes() override { std::filesystem::remove_all(folder); }
+  using HandedInPictures::HandedInPictures;
 
-  StageGrade judged(const Image& picture, const std::vector<Alteration>& how,
-                    const std::string& name) {
-    altered::Random random(7);
-    altered::Altered a{picture};
-    for (const Alteration one : how) altered::alter(a, one, random);
-    const std::string file = (folder / (name + (a.jpeg > 0 ? ".jpg" : ".png"))).string();
-    if (a.jpeg > 0)
-      std::ofstream(file, std::ios::binary) << jpeg_file(a.image, a.jpeg);
-    else
-      EXPECT_TRUE(write_png(a.image, file, {8, Transfer::linear}));
-    return grader.grade(file).stages.front();
-  }
   void expect_named(Mistake mistake, int stage, const std::vector<Alteration>& how) {
     constexpr const char* kNames[] = {"",         "silhouette", "ambient",    "diffuse",
                                       "specular", "shadow",     "reflection", "refraction"};
@@ -49,11 +25,6 @@ class ByMistakes : public testing::Test {
         << entry_of(mistake).key << ", " << altered_how << key_of(grade.verdict);
     EXPECT_NE(grade.verdict, Verdict::unknown) << entry_of(mistake).key << ", " << altered_how;
   }
-
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("zraka-by-mistakes-" + std::to_string(::getpid()));
-  const Scene scene;
-  const Grader grader;
 };
 
 class ByMistakesOfTheThirdScene : public ByMistakes {
@@ -102,7 +73,7 @@ TEST_F(ByMistakes, WhatIsAllowedIsRightAsNoOtherStage) {
 
 /// The middle of the right picture is what a narrow view shows: here more is there around it.
 TEST_F(ByMistakesOfTheThirdScene, WhatWasCutAndFramedIsNoNarrowView) {
-  for (const unsigned seed : {1, 2, 5}) {
+  for (const unsigned seed : {1u, 2u, 5u}) {
     altered::Random random(seed);
     altered::Altered a{outside::Tracer(scene, 3).picture()};
     altered::alter(a, Alteration::crop, random);

@@ -1,50 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // A slice of bench/grader: pictures as they are handed in, and what the grader makes of them.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-
-#include "alterations.hpp"
-#include "course_scenes.hpp"
+#include "handed_in.hpp"
 #include "image/jpeg_again.hpp"
 #include "outside_tracer.hpp"
-#include "picture_files.hpp"
 #include "school/grade/refine.hpp"
-#include "school/grade/words.hpp"
 
 namespace zraka {
 namespace {
 
 using altered::Alteration;
 
-/// A file of its own for each picture, gone when the test is over.
-class HandedIn : public testing::Test {
- protected:
-  HandedIn() : scene(course_scene()), grader(Grader::create(scene, lab_options()).value()) {
-    std::filesystem::create_directories(folder);
-  }
-  ~HandedIn() override { std::filesystem::remove_all(folder); }
-
-  StageGrade judged(const Image& picture, const std::vector<Alteration>& how,
-                    const std::string& name = "refraction") {
-    altered::Random random(7);
-    altered::Altered a{picture};
-    for (const Alteration one : how) altered::alter(a, one, random);
-    const std::string file = (folder / (name + (a.jpeg > 0 ? ".jpg" : ".png"))).string();
-    if (a.jpeg > 0)
-      std::ofstream(file, std::ios::binary) << jpeg_file(a.image, a.jpeg);
-    else
-      EXPECT_TRUE(write_png(a.image, file, {8, Transfer::linear}));
-    return grader.grade(file).stages.front();
-  }
-
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("zraka-altered-" + std::to_string(::getpid()));
-  const Scene scene;
-  const Grader grader;
-};
+using HandedIn = HandedInPictures;
 
 TEST_F(HandedIn, TheTracerOutsideOfTheEngineDrawsItsPictures) {
   for (int stage = 1; stage <= 7; ++stage)
