@@ -84,6 +84,9 @@ TEST_F(ByMistakesOfTheThirdScene, WhatWasCutAndFramedIsNoNarrowView) {
 
 /// What is left has a shape: a part of a sphere that lies behind another one.
 TEST_F(ByMistakesOfTheThirdScene, IsNotProbableWhereAShapeIsLeft) {
+#ifdef ZRAKA_SANITIZED
+  GTEST_SKIP() << "its pictures are too small for that part to be a shape";
+#endif
   const Image picture = outside::Tracer(scene, 2, outside::Slip::farthest_hit).picture();
   EXPECT_EQ(judged(picture, {}, "ambient").verdict, Verdict::unknown);
   // It is too faint for a JPEG's tolerance, but rounding makes no shapes.

@@ -114,7 +114,8 @@ TEST(SmoothMesh, MirrorsGoOnBehindFacesWhereTheirNormalsSendThem) {
     for (RenderOptions options : {RenderOptions{}, RenderOptions{.min_contribution = 1e-9}})
       for (const Isa isa : {available_isas().front(), Isa::portable, Isa::oracle}) {
         options.isa = isa;
-        const float* const pixel = picture_of(other, options).row(2) + 3 * 2;
+        const Image picture = picture_of(other, options);
+        const float* const pixel = picture.row(2) + 3 * 2;
         EXPECT_NEAR(pixel[0], 0.25, 1e-6) << name_of(isa) << scale;
         EXPECT_NEAR(pixel[1], 0.25, 1e-6) << name_of(isa) << scale;
       }
