@@ -46,7 +46,7 @@ void cross_all(const double* numbers, const std::int32_t* start, const BodyProbe
     F at[kMost];
     const auto surface = [&](const auto& row) {
       crossings<Shape, D>(row, origin, direction, false, at);
-      return SurfaceInLanes<Shape, D>(row, origin, direction);
+      return surface_in_lanes<Shape, D>(row, origin, direction);
     };
     const auto hit = shared ? surface(SharedNumbers<D>{numbers + starts[0]})
                             : surface(OwnNumbers<D>{numbers, starts});

@@ -16,7 +16,7 @@ struct BodyQuery {
   static constexpr std::size_t kRoom = L::kWidth + 16;
   alignas(64) R origin[3][kRoom], direction[3][kRoom], limit[kRoom];
   alignas(64) std::int32_t body[kRoom];
-  bool one_body = false;    ///< all lanes' are the same
+  bool one_body = false;   ///< all lanes' are the same
   alignas(64) R t[kRoom];  ///< the answer: the nearest hit, not positive where there is none
 };
 
@@ -61,6 +61,7 @@ ZRAKA_INLINE V3<F> into_body(const Row& row, const V3<F>& v) {
   return {turn(0), turn(3), turn(6)};
 }
 
+/// A ray in the space of the body whose numbers are `row`; first_only as BodyRay has it.
 template <class F, class Row>
 ZRAKA_INLINE BodyView<F> view_of(const Row& row, const V3<F>& origin, const V3<F>& direction,
                                  bool first_only) {
@@ -119,8 +120,7 @@ ZRAKA_INLINE void answer(BodyQuery<L>& query, std::size_t c, std::uint32_t asked
       asked == kAll ? t : select(D::from_bits(asked), t, D::load_reals(query.t + c)), query.t + c);
 }
 
-/// Calls function(c, asked, first body asked for) for each part of the query's lanes that double
-/// lanes hold.
+/// Calls function(c, asked) for each part of the query's lanes that double lanes hold.
 template <class L, class Function>
 ZRAKA_INLINE void each_part(std::uint32_t lanes, const Function& function) {
   constexpr std::size_t kWidth = DoublesOf<L>::kWidth;

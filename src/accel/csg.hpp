@@ -78,27 +78,14 @@ class CsgWay {
 
   /// Whether what is behind distance t is inside.
   M inside(F t) const {
-    M waiting[kMostCsgWaiting];
-    int count = 0;
-    for (int i = 0; i < csg_.length(); ++i) {
-      const int step = csg_.step(i);
-      if (step >= 0) {
-        waiting[count++] = in_member(step, t);
-        continue;
-      }
-      const int operands = csg_operands(step);
-      count -= operands;
-      M all = waiting[count];
-      for (int k = 1; k < operands; ++k) {
-        const M& next = waiting[count + k];
-        const auto operation = csg_operation_of(step);
-        all = operation == CsgOperation::unite       ? either(all, next)
-              : operation == CsgOperation::intersect ? both(all, next)
-                                                     : but_not(all, next);
-      }
-      waiting[count++] = all;
-    }
-    return waiting[0];
+    return csg_value(
+        csg_.length(), [&](int i) { return csg_.step(i); },
+        [&](int member) { return in_member(member, t); },
+        [](CsgOperation operation, const M& a, const M& b) {
+          return operation == CsgOperation::unite       ? either(a, b)
+                 : operation == CsgOperation::intersect ? both(a, b)
+                                                        : but_not(a, b);
+        });
   }
 
   /// The next crossing with any member after t, kNever where there is none.

@@ -121,41 +121,30 @@ ZRAKA_INLINE typename D::M hits_from_inside(
   }
 }
 
-/// What is found out about lanes that hit bodies of this type.
-template <class Shape, class D>
+/// What is found out about lanes that hit bodies.
+template <class D>
 struct SurfaceInLanes {
-  using F = typename D::F;
-  F t, unit;
-  V3<F> normal;
+  typename D::F t, unit;
+  V3<typename D::F> normal;
   typename D::M inside;
-
-  template <class Row>
-  SurfaceInLanes(const Row& row, const V3<F>& origin, const V3<F>& direction) {
+};
+template <class Shape, class D, class Row>
+ZRAKA_INLINE SurfaceInLanes<D> surface_in_lanes(const Row& row, const V3<typename D::F>& origin,
+                                                const V3<typename D::F>& direction) {
+  using F = typename D::F;
+  if constexpr (std::is_same_v<Shape, Plane>) {
+    const V3<F> way = into_body(row, direction);
+    const V3<F> up{row(kBodyMatrix + 3), row(kBodyMatrix + 4), row(kBodyMatrix + 5)};
+    return {distance_to_plane(row, origin, direction), F(1.0) / sqrt(dot(way, way)),
+            up * (F(1.0) / sqrt(dot(up, up))), way.y > F(0.0)};
+  } else {
     F at[BodyLanes<Shape, D>::kMost];
     const BodyView<F> view = crossings<Shape, D>(row, origin, direction, true, at);
-    t = first_in_front(at);
-    unit = view.unit;
-    normal = normal_at<Shape, D>(row, view, t);
-    inside = hits_from_inside<Shape, D>(at, t, normal, direction);
+    const F t = first_in_front(at);
+    const V3<F> normal = normal_at<Shape, D>(row, view, t);
+    return {t, view.unit, normal, hits_from_inside<Shape, D>(at, t, normal, direction)};
   }
-};
-template <class D>
-struct SurfaceInLanes<Plane, D> {
-  using F = typename D::F;
-  F t, unit;
-  V3<F> normal;
-  typename D::M inside;
-
-  template <class Row>
-  SurfaceInLanes(const Row& row, const V3<F>& origin, const V3<F>& direction) {
-    t = distance_to_plane(row, origin, direction);
-    const V3<F> way = into_body(row, direction);
-    unit = F(1.0) / sqrt(dot(way, way));
-    const V3<F> up{row(kBodyMatrix + 3), row(kBodyMatrix + 4), row(kBodyMatrix + 5)};
-    normal = up * (F(1.0) / sqrt(dot(up, up)));
-    inside = way.y > F(0.0);
-  }
-};
+}
 
 /// Of lanes that hit bodies of this type.
 template <class Shape, class L>
@@ -167,7 +156,7 @@ void surfaces_of(const FrozenShapes<typename L::Real, Body>& bodies, std::uint32
     const V3<F> origin = load_doubles<L>(query.origin, c);
     const V3<F> direction = load_doubles<L>(query.direction, c);
     with_numbers<L>(bodies, query, c, asked, [&](const auto& row) {
-      const SurfaceInLanes<Shape, D> found(row, origin, direction);
+      const SurfaceInLanes<D> found = surface_in_lanes<Shape, D>(row, origin, direction);
       out.put(c, asked, origin + direction * found.t, found.normal, found.unit, found.inside);
     });
   });

@@ -12,8 +12,7 @@
 
 namespace zraka {
 
-/// The way from the engine's frame to the spaces of shapes, which is mostly
-/// that of the hit before.
+/// The way from the engine's frame to the spaces of shapes, which is mostly that of the hit before.
 template <class R>
 class ShapeSpaces {
  public:

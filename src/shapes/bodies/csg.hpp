@@ -25,25 +25,24 @@ inline int csg_operands(int step) {
   return (-1 - step) / 3;
 }
 
-/// What an expression says of a place that is in those members whose bits are set, of 64 at most.
-inline bool csg_says(const double* steps, int length, std::uint64_t in_members) {
-  bool waiting[kMostCsgWaiting];
+/// The value of an expression of so many steps: step(i) is one, in_member(i) the value of a member,
+/// and put_together(operation, a, b) that of an operation.
+template <class Step, class InMember, class Together>
+auto csg_value(int length, const Step& step, const InMember& in_member,
+               const Together& put_together) {
+  decltype(in_member(0)) waiting[kMostCsgWaiting];
   int count = 0;
   for (int i = 0; i < length; ++i) {
-    const int step = static_cast<int>(steps[i]);
-    if (step >= 0) {
-      waiting[count++] = (in_members >> step & 1) != 0;
+    const int of = step(i);
+    if (of >= 0) {
+      waiting[count++] = in_member(of);
       continue;
     }
-    count -= csg_operands(step);
-    bool all = waiting[count];
-    for (int k = 1; k < csg_operands(step); ++k) {
-      const bool next = waiting[count + k];
-      const CsgOperation operation = csg_operation_of(step);
-      all = operation == CsgOperation::unite       ? all || next
-            : operation == CsgOperation::intersect ? all && next
-                                                   : all && !next;
-    }
+    const int operands = csg_operands(of);
+    count -= operands;
+    auto all = waiting[count];
+    for (int k = 1; k < operands; ++k)
+      all = put_together(csg_operation_of(of), all, waiting[count + k]);
     waiting[count++] = all;
   }
   return waiting[0];
@@ -54,8 +53,17 @@ inline bool csg_says(const double* steps, int length, std::uint64_t in_members) 
 inline constexpr int kMostCsgTableMembers = 6;
 inline std::uint64_t csg_table(const double* steps, int length, int members) {
   std::uint64_t table = 0;
-  for (std::uint64_t s = 0; s < std::uint64_t{1} << members; ++s)
-    if (csg_says(steps, length, s)) table |= std::uint64_t{1} << s;
+  for (std::uint64_t s = 0; s < std::uint64_t{1} << members; ++s) {
+    const bool inside = csg_value(
+        length, [&](int i) { return static_cast<int>(steps[i]); },
+        [&](int member) { return (s >> member & 1) != 0; },
+        [](CsgOperation operation, bool a, bool b) {
+          return operation == CsgOperation::unite       ? a || b
+                 : operation == CsgOperation::intersect ? a && b
+                                                        : a && !b;
+        });
+    if (inside) table |= std::uint64_t{1} << s;
+  }
   return table;
 }
 
