@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <nlohmann/json.hpp>
 #include <zraka/explain.hpp>
 #include <zraka/school/mistakes.hpp>
@@ -90,5 +91,11 @@ struct Fold {
     return mean;
   }
 };
+
+inline bool same_bits(const Float3& a, const float* b) {
+  for (std::size_t c = 0; c < 3; ++c)
+    if (std::bit_cast<std::uint32_t>(a[c]) != std::bit_cast<std::uint32_t>(b[c])) return false;
+  return true;
+}
 
 }  // namespace zraka

@@ -34,7 +34,7 @@ void expect_named(const std::vector<Scene>& scenes,
   std::string wrong;
   for (const Scene& scene : scenes) {
     const Grader grader = Grader::create(scene, lab_options()).value();
-    for (const MistakeEntry& entry : all_mistakes()) {
+    for (const MistakeEntry& entry : lab_mistakes()) {
       // Where it shows first, in one of the scenes; the stage is known by the name.
       const int first = entry.first_stage == 1 || entry.first_stage == 5 ? 7 : entry.first_stage;
       const int stage = &scene == &scenes.back() ? first : 7;

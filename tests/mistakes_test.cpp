@@ -55,7 +55,7 @@ TEST(Mistakes, ShowFromTheirStageOn) {
   GTEST_SKIP() << "takes a minute under a sanitizer, and runs no other code than its neighbours";
 #endif
   const Scene scenes[] = {course_scene(), second_scene(), third_scene()};
-  for (const MistakeEntry& entry : all_mistakes()) {
+  for (const MistakeEntry& entry : lab_mistakes()) {
     bool seen = false;
     for (const Scene& scene : scenes)
       for (int stage = 1; stage <= 7; ++stage) {
@@ -75,7 +75,7 @@ TEST(Mistakes, ShowFromTheirStageOn) {
 TEST(Mistakes, AreExplainedToTheBit) {
   const Scene scenes[] = {course_scene(), second_scene(), third_scene()};
   std::uint32_t at = 7;
-  for (const MistakeEntry& entry : all_mistakes())
+  for (const MistakeEntry& entry : lab_mistakes())
     for (const Scene& scene : scenes) {
       const RenderOptions options = lab_options();
       const Image image = render_mistaken(scene, options, entry.mistake).value().image;

@@ -22,12 +22,6 @@ constexpr std::uint32_t kStep = 7;
 constexpr std::uint32_t kStep = 1;
 #endif
 
-bool same_bits(const Float3& a, const float* b) {
-  for (std::size_t c = 0; c < 3; ++c)
-    if (std::bit_cast<std::uint32_t>(a[c]) != std::bit_cast<std::uint32_t>(b[c])) return false;
-  return true;
-}
-
 TEST(ExplainedOptics, FoldToThePicturesBits) {
   for (const OpticsCase& one : optics_cases()) {
     const Result<Rendering> rendering = render(one.scene, one.options);

@@ -171,7 +171,7 @@ TEST(OpticsReport, SaysWhatItCounted) {
 
 TEST(OpticsMistakes, AreRefused) {
   for (const OpticsCase& one : optics_cases()) {
-    for (const MistakeEntry& entry : all_mistakes()) {
+    for (const MistakeEntry& entry : lab_mistakes()) {
       const Result<Rendering> rendering = render_mistaken(one.scene, one.options, entry.mistake);
       ASSERT_FALSE(rendering) << one.name;
       EXPECT_EQ(rendering.error().front().message,

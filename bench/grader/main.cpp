@@ -99,7 +99,7 @@ struct Bench {
   }
   Case one(std::size_t i) {
     for (;;) {
-      const MistakeEntry& entry = all_mistakes()[random() % all_mistakes().size()];
+      const MistakeEntry& entry = lab_mistakes()[random() % lab_mistakes().size()];
       const std::size_t scene = random() % 3;
       const int stage = random() % 2 == 0 ? 7 : std::max(2, entry.first_stage);
       const Image picture = graders[scene].picture(stage, entry.mistake);
@@ -172,7 +172,7 @@ Case Bench::two(std::size_t i) {
   for (;;) {
     const std::size_t scene = random() % 3;
     const auto any = [&]() -> const MistakeEntry& {
-      return all_mistakes()[random() % all_mistakes().size()];
+      return lab_mistakes()[random() % lab_mistakes().size()];
     };
     const MistakeEntry *a = &any(), *b = &any();
     if (a->mistake == b->mistake) continue;

@@ -36,6 +36,9 @@ struct TraceSettings {
   bool transparent_shadows = false;
   bool filter_surfaces = false;  ///< Profile's
   double min_contribution = 0;
+  // Of the general engine, for lessons on what these rules are for.
+  bool filter_first_only = false;  ///< behind what filters a shadow ray first nothing counts
+  bool cut_by_share = false;       ///< min_contribution is that of a ray's own share
   double brightest = 0;  ///< no ray brings more, by any channel
   std::uint32_t seed = 0;
   Wavelengths wavelengths{};

@@ -125,7 +125,7 @@ Stand stand_for(const Scene& scene, RenderOptions options, Isa isa, const Variat
   if (variation.vary_scene) variation.vary_scene(varied = scene);
   PreparedScene<float> prepared = variation.vary_scene ? prepare<float>(std::move(varied), options)
                                                        : prepare<float>(scene, options);
-  const TraceSettings settings = settings_of(options, prepared, variation.number);
+  const TraceSettings settings = settings_of(options, prepared, variation);
   return {scene,
           options,
           settings,

@@ -151,7 +151,7 @@ bool is_beyond_the_lab(const Scene& scene, const RenderOptions& options) {
 
 template <class R>
 TraceSettings settings_of(const RenderOptions& options, const PreparedScene<R>& prepared,
-                          int variation) {
+                          const Variation& variation) {
   TraceSettings settings;
   settings.terms = options.terms;
   settings.terms.shadows = options.terms.shadows && options.shadows != Shadows::off;
@@ -159,7 +159,7 @@ TraceSettings settings_of(const RenderOptions& options, const PreparedScene<R>& 
   settings.clamp_levels = options.profile.clamp_levels;
   settings.mirror_when_total = options.profile.mirror_when_total;
   settings.sky_beyond = options.profile.sky_beyond;
-  settings.variation = variation;
+  settings.variation = variation.number;
   settings.unit = static_cast<float>(prepared.frame.world_length(1));
   const FrozenOptics* const optics = prepared.store->scene.optics;
   if (optics == nullptr) return settings;
@@ -169,6 +169,7 @@ TraceSettings settings_of(const RenderOptions& options, const PreparedScene<R>& 
   settings.seed = options.sampling.seed;
   settings.wavelengths = wavelengths_in(options.wavelengths);
   settings.brightest = brightest_of(*optics, options, settings.wavelengths);
+  if (variation.vary_settings) variation.vary_settings(settings);
   return settings;
 }
 
@@ -205,7 +206,7 @@ PreparedScene<R> prepare(Scene&& scene, const RenderOptions& options) {
   template PreparedScene<R> prepare<R>(const Scene&, const RenderOptions&);              \
   template PreparedScene<R> prepare<R>(Scene&&, const RenderOptions&);                   \
   template PreparedScene<R> prepare_with_room<R>(const Scene&, const RenderOptions&, R); \
-  template TraceSettings settings_of(const RenderOptions&, const PreparedScene<R>&, int);
+  template TraceSettings settings_of(const RenderOptions&, const PreparedScene<R>&, const Variation&);
 ZRAKA_FOR(float)
 ZRAKA_FOR(double)
 #undef ZRAKA_FOR

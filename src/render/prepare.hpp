@@ -7,6 +7,7 @@
 
 #include "engine/engine.hpp"
 #include "math/frame.hpp"
+#include "render/variation.hpp"
 #include "scene/freeze.hpp"
 
 namespace zraka {
@@ -48,6 +49,6 @@ PreparedScene<R> prepare(Scene&& scene, const RenderOptions& options);
 
 template <class R>
 TraceSettings settings_of(const RenderOptions& options, const PreparedScene<R>& prepared,
-                          int variation = 0);
+                          const Variation& variation = {});
 
 }  // namespace zraka

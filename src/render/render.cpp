@@ -145,7 +145,8 @@ template <class R>
 bool render_prepared(const Scene* scene, const PreparedScene<R>& prepared,
                      const FrozenScene<R>& frozen, const Kernel<R>& kernel,
                      const RenderOptions& options, const Resolution& resolution, int threads,
-                     int variation, const TileOfImage& tile_done, Rendering& rendering) {
+                     const Variation& variation, const TileOfImage& tile_done,
+                     Rendering& rendering) {
   const TraceSettings settings = settings_of(options, prepared, variation);
   const bool plain = is_plain(frozen, options.sampling) && !options.transparent;
   const bool corners = has_corners(frozen, options);
@@ -183,7 +184,7 @@ bool render_prepared(const Scene* scene, const PreparedScene<R>& prepared,
 #define ZRAKA_FOR(R)                                                                            \
   template bool render_prepared(const Scene*, const PreparedScene<R>&, const FrozenScene<R>&,   \
                                 const Kernel<R>&, const RenderOptions&, const Resolution&, int, \
-                                int, const TileOfImage&, Rendering&);
+                                const Variation&, const TileOfImage&, Rendering&);
 ZRAKA_FOR(float)
 ZRAKA_FOR(double)
 #undef ZRAKA_FOR
@@ -192,7 +193,7 @@ namespace {
 
 template <class R, class SceneRef>
 bool freeze_and_render(SceneRef&& scene, const Kernel<R>& kernel, const RenderOptions& options,
-                       int threads, int variation, const TileOfImage& tile_done,
+                       int threads, const Variation& variation, const TileOfImage& tile_done,
                        Rendering& rendering) {
   const auto start = std::chrono::steady_clock::now();
   const Resolution resolution = scene.resolution;
@@ -234,11 +235,11 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
     with_threads(options.threads, [&] {
       complete = *isa == Isa::oracle
                      ? freeze_and_render<double>(std::forward<SceneRef>(scene), isa_oracle::kKernel,
-                                                 options, threads, 0, tile_done, rendering)
+                                                 options, threads, variation, tile_done, rendering)
                      : freeze_and_render<float>(
                            std::forward<SceneRef>(scene),
                            variation.kernel == nullptr ? kernel_of(*isa) : *variation.kernel,
-                           options, threads, variation.number, tile_done, rendering);
+                           options, threads, variation, tile_done, rendering);
     });
     if (!complete) return failure("", "the render was cancelled");
   } catch (const std::bad_alloc&) {

@@ -18,7 +18,8 @@ template <class R>
 bool render_prepared(const Scene* scene, const PreparedScene<R>& prepared,
                      const FrozenScene<R>& frozen, const Kernel<R>& kernel,
                      const RenderOptions& options, const Resolution& resolution, int threads,
-                     int variation, const TileOfImage& tile_done, Rendering& rendering);
+                     const Variation& variation, const TileOfImage& tile_done,
+                     Rendering& rendering);
 
 /// As render(); tells of parts of the image that are done.
 Result<Rendering> render_with_tiles(const Scene& scene, const RenderOptions& options,

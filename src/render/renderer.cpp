@@ -222,7 +222,7 @@ struct Renderer::Impl {
       stats.accel_bytes = prepared.hierarchy.nodes.size() * sizeof(Node) +
                           prepared.hierarchy.rank.size() * sizeof(std::int32_t);
       if (!render_prepared(&scene, prepared, found->frozen, kernel_of(*isa), wanted,
-                           view.resolution, stats.threads, 0, tile_done, *rendering))
+                           view.resolution, stats.threads, {}, tile_done, *rendering))
         rendering = failure("", "the render was cancelled");
     });
     return rendering;

@@ -16,6 +16,7 @@ struct Variation {
   RecordTile<float>* record = nullptr;
   std::function<void(Scene&)> vary_scene{};
   std::function<void(RenderOptions&)> vary_options{};
+  std::function<void(TraceSettings&)> vary_settings{};
   std::function<void(Image&)> vary_image{};
   VariedRules rules{};
 };
@@ -26,7 +27,8 @@ Result<void> check_lesson(const Scene& scene);
 /// What to answer where the rules of a picture shall be varied that asks for more than the lab's.
 tl::unexpected<Diagnostics> beyond_the_lab();
 
-/// render() with a variation; not for Isa::oracle. Fails where is_beyond_the_lab().
+/// render() with a variation; not for Isa::oracle where it has a kernel, which fails where
+/// is_beyond_the_lab().
 Result<Rendering> render_varied(const Scene& scene, const RenderOptions& options,
                                 const Variation& variation);
 /// Explainer::create() with a variation.

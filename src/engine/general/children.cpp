@@ -90,8 +90,9 @@ class Spawner {
     const RayState<R>& parent = batch_.ray_of(h);
     const V3<R> weight = parent.weight * hit.transmittance * share;
     const TraceSettings& settings = batch_.settings;
+    const V3<R>& counts = settings.cut_by_share ? share : weight;
     const double most = static_cast<double>(
-        most_of(V3<R>{std::fabs(weight.x), std::fabs(weight.y), std::fabs(weight.z)}));
+        most_of(V3<R>{std::fabs(counts.x), std::fabs(counts.y), std::fabs(counts.z)}));
     if (settings.min_contribution > 0 && most * settings.brightest < settings.min_contribution) {
       const auto brightest = static_cast<R>(settings.brightest);
       hit.missing = hit.missing +

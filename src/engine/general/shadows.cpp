@@ -228,6 +228,7 @@ void walk_through(const Batch<R>& batch) {
         }
         if (!meet(batch, static_cast<std::size_t>(hit), scratch.slot[i], t, walk, history))
           continue;
+        if (batch.settings.filter_first_only) continue;
         walks[going_on] = walk;
         if (keeps && going_on != first + i) std::swap(general.histories[going_on], history);
         ++going_on;
@@ -324,7 +325,7 @@ struct Unfollowed {
   const FrozenScene<R>* lit;   ///< all is left of what it does not block
 
   explicit Unfollowed(const Batch<R>& batch) : dark(deciding_scene(batch)), lit(dark) {
-    if (lit != nullptr) return;
+    if (lit != nullptr || batch.settings.filter_first_only) return;
     if (batch.optics().cut_count == 0) dark = batch.scene.opaque;
     if (!batch.optics().absorbing) lit = batch.scene.casting;
   }

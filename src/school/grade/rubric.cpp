@@ -12,7 +12,7 @@ namespace zraka {
 
 Rubric default_rubric() {
   Rubric rubric;
-  for (const MistakeEntry& entry : all_mistakes())
+  for (const MistakeEntry& entry : lab_mistakes())
     if (entry.allowed) rubric.allowed.insert(entry.mistake);
   return rubric;
 }

@@ -99,7 +99,7 @@ std::vector<Candidate> StagePictures::render_all(int stage) const {
   if (is_beyond_the_lab(scene_, options_)) return all;
   const std::uint32_t by = stride(kCoarseSide);
   const Image& right = coarse_[index(stage)];
-  for (const MistakeEntry& entry : all_mistakes()) {
+  for (const MistakeEntry& entry : lab_mistakes()) {
     if (entry.first_stage > stage) continue;
     // What render() refuses was refused by create(). Part of a pixel is so in its own size only.
     const bool of_pixels =

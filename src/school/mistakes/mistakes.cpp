@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 #include <utility>
 #include <zraka/school/mistakes.hpp>
@@ -21,6 +22,13 @@ const std::vector<MistakeEntry>& all_mistakes() {
   return entries;
 }
 
+std::span<const MistakeEntry> lab_mistakes() {
+  static const std::size_t count = static_cast<std::size_t>(
+      std::count_if(all_mistakes().begin(), all_mistakes().end(),
+                    [](const MistakeEntry& entry) { return entry.first_stage < kAdvanced; }));
+  return {all_mistakes().data(), count};
+}
+
 const MistakeEntry& entry_of(Mistake mistake) {
   return all_mistakes()[static_cast<std::size_t>(mistake) - 1];
 }
@@ -32,6 +40,37 @@ std::optional<Mistake> mistake_named(std::string_view key) {
 }
 
 namespace {
+
+/// The images of textures, each changed by change(Image); what was shared stays shared.
+template <class Change>
+void change_textures(Scene& scene, const Change& change) {
+  std::map<const Image*, std::shared_ptr<const Image>> changed;
+  for (Texture& texture : scene.textures) {
+    if (!texture.image) continue;
+    std::shared_ptr<const Image>& image = changed[texture.image.get()];
+    if (!image) image = std::make_shared<const Image>(change(*texture.image));
+    texture.image = image;
+  }
+}
+
+Image upside_down(const Image& image) {
+  Image turned = image;
+  for (std::uint32_t y = 0; y < image.height; ++y)
+    std::copy_n(image.row(image.height - 1 - y), std::size_t{3} * image.width,
+                turned.pixels.data() + std::size_t{3} * image.width * y);
+  return turned;
+}
+
+/// u and v exchanged: the first row is at v = 1, so that this is a mirror image in the diagonal that
+/// rises.
+Image with_uv_swapped(const Image& image) {
+  Image swapped(image.height, image.width);
+  for (std::uint32_t y = 0; y < swapped.height; ++y)
+    for (std::uint32_t x = 0; x < swapped.width; ++x)
+      std::copy_n(image.row(image.height - 1 - x) + std::size_t{3} * (image.width - 1 - y), 3,
+                  swapped.pixels.data() + 3 * (std::size_t{swapped.width} * y + x));
+  return swapped;
+}
 
 /// The scene as somebody reads it who makes the mistake.
 void misread(Scene& scene, Mistake mistake, const Terms& terms) {
@@ -102,6 +141,12 @@ void misread(Scene& scene, Mistake mistake, const Terms& terms) {
     case Mistake::ratio_inverted:
       each_material([](Material& m) { m.ior = 1 / m.ior; });
       break;
+    case Mistake::texture_upside_down:
+      change_textures(scene, upside_down);
+      break;
+    case Mistake::texture_transposed:
+      change_textures(scene, with_uv_swapped);
+      break;
     case Mistake::straight_through:
       each_material([](Material& m) { m.ior = 1; });
       break;
@@ -126,8 +171,38 @@ void vary_options(RenderOptions& options, Mistake mistake) {
     case Mistake::bytes_overflow:
       options.profile.clamp_levels = false;
       break;
+    case Mistake::filter_per_surface:
+      options.profile.filter_surfaces = true;
+      break;
     case Mistake::total_mirrored:
       options.profile.mirror_when_total = true;
+      break;
+    default:
+      break;
+  }
+}
+
+/// The engine's settings as they become by the mistake.
+void vary_settings(TraceSettings& settings, Mistake mistake) {
+  Wavelengths& waves = settings.wavelengths;
+  switch (mistake) {
+    case Mistake::wavelengths_by_number:
+      // The brightest of each channel is 1.
+      for (int c = 0; c < 3; ++c) {
+        float most = 0;
+        for (int i = 0; i < waves.count; ++i) most = std::max(most, waves.weight[i][c]);
+        for (int i = 0; i < waves.count; ++i)
+          waves.weight[i][c] /= most * static_cast<float>(waves.count);
+      }
+      break;
+    case Mistake::dispersion_reversed:
+      std::reverse(waves.um, waves.um + waves.count);
+      break;
+    case Mistake::cut_by_share:
+      settings.cut_by_share = true;
+      break;
+    case Mistake::filter_first_only:
+      settings.filter_first_only = true;
       break;
     default:
       break;
@@ -165,9 +240,12 @@ Variation variation_of(const MistakenBy& by, const RenderOptions& options) {
     add(rules.croatian, "; ", entry.croatian);
     rules.white_when_total = rules.white_when_total || mistake == Mistake::total_white;
   }
+  // The lab's rules are the lean engine's; others are settings of the general one.
+  const bool of_the_lab = entry_of(one).first_stage < kAdvanced ||
+                          (other != Mistake::none && entry_of(other).first_stage < kAdvanced);
   return {.number = number_of(one, other),
-          .kernel = &isa_portable::kMistakenKernel,
-          .record = isa_portable::record_mistaken_tile,
+          .kernel = of_the_lab ? &isa_portable::kMistakenKernel : nullptr,
+          .record = of_the_lab ? isa_portable::record_mistaken_tile : nullptr,
           .vary_scene =
               [one, other, terms = options.terms](Scene& scene) {
                 misread(scene, one, terms);
@@ -177,6 +255,11 @@ Variation variation_of(const MistakenBy& by, const RenderOptions& options) {
               [one, other](RenderOptions& varied) {
                 vary_options(varied, one);
                 vary_options(varied, other);
+              },
+          .vary_settings =
+              [one, other](TraceSettings& settings) {
+                vary_settings(settings, one);
+                vary_settings(settings, other);
               },
           .vary_image =
               [one, other](Image& image) {

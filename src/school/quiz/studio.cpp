@@ -88,7 +88,7 @@ Result<const std::vector<Variant>*> Studio::with_mistakes() {
     std::vector<Variant> list;
     // Mistakes are those of the lab's rules.
     const bool none = is_beyond_the_lab(*scene_, options_);
-    for (const MistakeEntry& entry : all_mistakes()) {
+    for (const MistakeEntry& entry : lab_mistakes()) {
       if (none) break;
       // Half a pixel moves every edge, and nobody sees it.
       if (entry.mistake == Mistake::pixel_center) continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 #include <zraka/explain.hpp>
@@ -17,17 +18,23 @@ enum class Mistake {
 #undef ZRAKA_MISTAKE
 };
 
+/// MistakeEntry::first_stage of mistakes of dispersion and the sheet's advanced tasks, which none of
+/// the lab's pictures shows.
+inline constexpr int kAdvanced = 8;
+
 /// A mistake as people and files call it.
 struct MistakeEntry {
   Mistake mistake;
   std::string_view key;  ///< in rubrics and JSON: "feeler-unbounded"
   bool allowed;          ///< the sheet's wording allows it, so it costs no marks by default
-  int first_stage;       ///< 1 to 7: the first of the lab's pictures that can show it
+  int first_stage;       ///< 1 to 7: the first of the lab's pictures that can show it; or kAdvanced
   std::string_view english, croatian;
 };
 
 /// All mistakes, without Mistake::none.
 const std::vector<MistakeEntry>& all_mistakes();
+/// Those that the lab's pictures can show: what is graded and asked about.
+std::span<const MistakeEntry> lab_mistakes();
 /// Not for Mistake::none.
 const MistakeEntry& entry_of(Mistake mistake);
 std::optional<Mistake> mistake_named(std::string_view key);
@@ -40,8 +47,8 @@ struct MistakenBy {
   friend bool operator==(const MistakenBy&, const MistakenBy&) = default;
 };
 
-/// render() as a program does that makes the mistakes. Fails where render() does, and for
-/// Isa::oracle.
+/// render() as a program does that makes the mistakes. Fails where render() does; with mistakes of
+/// the lab also for scenes that ask for more, and for Isa::oracle.
 Result<Rendering> render_mistaken(const Scene& scene, const RenderOptions& options,
                                   const MistakenBy& by);
 /// Explainer::create() for such a picture.
