@@ -161,6 +161,7 @@ contains "$folder/out" "there is no such file or folder"
 "$zraka" grade $scene 2>"$folder/out"
 [ $? = 2 ] || fail "no submission is no wrong usage"
 "$zraka" grade --list | grep -q '^feeler-unbounded .* \*$' || fail "no list"
+"$zraka" grade --list --lang hr | grep -q '^filter-per-surface .* (ne ocjenjuje se)$' || fail "all are graded"
 "$zraka" render $scene --mistake none -o "$folder/x.png" 2>"$folder/out"
 [ $? = 2 ] || fail "a mistake that there is not"
 finish

@@ -31,9 +31,12 @@ struct GradeArguments : RenderArguments {
 };
 
 int list_mistakes(Language language) {
-  for (const MistakeEntry& entry : all_mistakes())
-    fmt::print("{:<34} {}{}\n", entry.key, text_of(language, entry.mistake),
-               entry.allowed ? " *" : "");
+  for (const MistakeEntry& entry : all_mistakes()) {
+    std::string note = entry.allowed ? " *" : "";
+    if (entry.first_stage == kAdvanced)
+      note = fmt::format(" {}", text_of(language, Word::grade_not_graded));
+    fmt::print("{:<34} {}{}\n", entry.key, text_of(language, entry.mistake), note);
+  }
   return kDone;
 }
 
@@ -136,7 +139,7 @@ void add_grade(Command& program) {
           "a picture, or a folder, a zip archive, a .docx or a .pdf of pictures, best called 1 to 7 or by "
           "their stage");
   app.add("--all", &arguments->all, "SUBMISSION is a class's folder: mark all that is in it");
-  app.add("--list", &arguments->list, "print the mistakes that can be named, and do nothing else");
+  app.add("--list", &arguments->list, "print the mistakes that are known, and do nothing else");
   app.add("--stage", &arguments->stage,
           "what SUBMISSION is of, whatever it is called: 1…7, or silhouette, ambient, diffuse,\n"
           "specular, shadows, reflection, refraction")
