@@ -3,11 +3,8 @@
 // what is derived from the tables besides reading.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -15,22 +12,21 @@
 #include "formats/formats.hpp"
 #include "language/facts.hpp"
 #include "language/help.hpp"
+#include "test_folder.hpp"
 
 namespace zraka::language {
 namespace {
 
 /// Things that fields may name are there.
 std::string answer(const std::string& text) {
-  static const std::string folder = [] {
-    const std::string made = testing::TempDir() + "zraka_language_tables" + std::to_string(::getpid());
-    std::filesystem::create_directories(made);
-    std::ofstream(made + "/a.ppm") << "P3 2 2 255 0 0 0 0 0 0 0 0 0 0 0 0\n";
-    std::ofstream(made + "/a.xyz") << "1\n\nH 0 0 0\n1\n\nH 0 0 1\n";
-    std::ofstream(made + "/a.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    return made;
-  }();
+  static TestFolder folder("language_tables");
+  static const std::string& path =
+      folder.with("a.ppm", "P3 2 2 255 0 0 0 0 0 0 0 0 0 0 0 0\n")
+          .with("a.xyz", "1\n\nH 0 0 0\n1\n\nH 0 0 1\n")
+          .with("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+          .path();
   const Result<ReadScene> read =
-      parse_toml(text + "\n[group.any]\nshape = []\n", "s", {.folder = folder});
+      parse_toml(text + "\n[group.any]\nshape = []\n", "s", {.folder = path});
   std::string all;
   for (const Diagnostic& d : read ? read->warnings : read.error()) all += to_string(d);
   return all;

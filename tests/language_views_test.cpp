@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lights, cameras, sampling and skies in the scene language.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 #include "language_helpers.hpp"
+#include "test_folder.hpp"
 
 namespace zraka {
 namespace {
@@ -316,13 +314,9 @@ TEST(LanguageRendering, IsWrittenAsItWasRead) {
 
 /// A folder with a picture.
 const ReadOptions& with_picture() {
-  static const ReadOptions options = [] {
-    const std::string folder =
-        testing::TempDir() + "zraka_language_views" + std::to_string(::getpid());
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder + "/sky.ppm") << "P3 2 1 255 255 0 0 0 0 255\n";
-    return ReadOptions{.folder = folder};
-  }();
+  static TestFolder folder("language_views");
+  static const ReadOptions options{
+      .folder = folder.with("sky.ppm", "P3 2 1 255 255 0 0 0 0 255\n").path()};
   return options;
 }
 

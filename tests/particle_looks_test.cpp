@@ -2,21 +2,17 @@
 // What particles look like: bonds, radii, colours; and the scenes that are made of them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <random>
 
 #include "language_helpers.hpp"
 #include "particles/bonds.hpp"
 #include "particles/look.hpp"
+#include "test_folder.hpp"
 
 namespace zraka {
 namespace {
-
-namespace fs = std::filesystem;
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;
 
@@ -174,18 +170,16 @@ TEST(ParticleScenes, AreColoredByAColumnThatALegendExplains) {
   EXPECT_TRUE(parse_scene(csv, "p.csv")->legends.empty());
 }
 
-/// A folder with a file of particles in it.
-std::string folder() {
-  static const std::string made = [] {
-    const std::string path = testing::TempDir() + "zraka_particles" + std::to_string(::getpid());
-    fs::create_directories(path);
-    std::ofstream(path + "/a.xyz")
-        << "2\nLattice=\"2 0 0 0 2 0 0 0 2\" Properties=species:S:1:pos:R:3:e:R:1\n"
-           "O 0 0 0 1\nH 1 0 0 2\n";
-    std::ofstream(path + "/bad.xyz") << "2\n\nO 0 0 0\nH 1 x 0\n";
-    return path;
-  }();
-  return made;
+/// A folder with files of particles in it.
+const std::string& folder() {
+  static TestFolder made("particles");
+  static const std::string& path =
+      made.with("a.xyz",
+                "2\nLattice=\"2 0 0 0 2 0 0 0 2\" Properties=species:S:1:pos:R:3:e:R:1\n"
+                "O 0 0 0 1\nH 1 0 0 2\n")
+          .with("bad.xyz", "2\n\nO 0 0 0\nH 1 x 0\n")
+          .path();
+  return path;
 }
 const ReadOptions kHere{.folder = folder()};
 
