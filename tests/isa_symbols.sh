@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# isa_symbols.sh LIBRARY: the engine's object files define nothing outside their own namespaces, so that no inline
+# isa_symbols.sh LIBRARY SCHOOL: the engine's object files define nothing outside their own namespaces, so that no inline
 # function compiled for one instruction set is what another one's code calls.
 set -u
-library=$1
+library=$1 school=$2
 status=0
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -34,4 +34,7 @@ else
   check unity_1_cxx.cxx.o 4 'isa_[a-z0-9]+::kKernel$'
 fi
 check record_kernel.cpp.o 1 'isa_portable::'
+library=$school
+check mistaken_kernel.cpp.o 2 'isa_[a-z0-9]+::kMistakenKernel$'
+check mistaken_record_kernel.cpp.o 1 'isa_portable::'
 exit $status

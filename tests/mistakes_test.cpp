@@ -50,6 +50,20 @@ TEST(Mistakes, OfNoneIsTheRightPicture) {
   EXPECT_NE(clamped(scene), sha256(right));
 }
 
+TEST(Mistakes, AreTheSameBitsWhateverTheInstructionSet) {
+  Scene scene = second_scene();
+  scene.resolution = {41, 37};  // rows end in the middle of registers
+  RenderOptions options = lab_options();
+  for (const MistakeEntry& entry : all_mistakes()) {
+    std::set<std::string> hashes;
+    for (const Isa isa : available_isas()) {
+      options.isa = isa;
+      hashes.insert(sha256(render_mistaken(scene, options, entry.mistake).value().image));
+    }
+    EXPECT_EQ(hashes.size(), 1U) << entry.key;
+  }
+}
+
 TEST(Mistakes, ShowFromTheirStageOn) {
 #ifdef ZRAKA_SANITIZED
   GTEST_SKIP() << "takes a minute under a sanitizer, and runs no other code than its neighbours";

@@ -130,7 +130,7 @@ Stand stand_for(const Scene& scene, RenderOptions options, Isa isa, const Variat
           options,
           settings,
           std::move(prepared),
-          variation.kernel == nullptr ? &kernel_of(isa) : variation.kernel,
+          variation.kernel == nullptr ? &kernel_of(isa) : &variation.kernel(isa),
           variation};
 }
 

@@ -238,7 +238,7 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
                                                  options, threads, variation, tile_done, rendering)
                      : freeze_and_render<float>(
                            std::forward<SceneRef>(scene),
-                           variation.kernel == nullptr ? kernel_of(*isa) : *variation.kernel,
+                           variation.kernel == nullptr ? kernel_of(*isa) : variation.kernel(*isa),
                            options, threads, variation, tile_done, rendering);
     });
     if (!complete) return failure("", "the render was cancelled");

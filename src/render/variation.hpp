@@ -12,7 +12,8 @@ namespace zraka {
 /// What is varied. Functions that are empty vary nothing.
 struct Variation {
   int number = 0;  ///< for the kernels, TraceSettings::variation
-  const Kernel<float>* kernel = nullptr;
+  /// The engine for an instruction set, but the oracle; all have the same bits.
+  const Kernel<float>& (*kernel)(Isa) = nullptr;
   RecordTile<float>* record = nullptr;
   std::function<void(Scene&)> vary_scene{};
   std::function<void(RenderOptions&)> vary_options{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The engine once more, making one of the lab's mistakes. Compiled like kernel.cpp, for the
-// portable set, whose bits are those of all others.
+// The engine once more, making one of the lab's mistakes. Compiled like kernel.cpp, for
+// the portable set and for AVX2.
 #include "school/mistakes/mistaken_kernel.hpp"
 
 #include "school/mistakes/mistaken_steps.hpp"

@@ -224,6 +224,13 @@ void apply_mistake(Image& image, Mistake mistake) {
       value = static_cast<float>(std::pow(std::max(static_cast<double>(value), 0.0), 1 / 2.2));
 }
 
+const Kernel<float>& mistaken_kernel_of([[maybe_unused]] Isa isa) {
+#if defined(ZRAKA_HAVE_X86)
+  if (isa == Isa::avx2 || isa == Isa::avx512) return isa_avx2::kMistakenKernel;
+#endif
+  return isa_portable::kMistakenKernel;
+}
+
 Variation variation_of(const MistakenBy& by, const RenderOptions& options) {
   if (by == MistakenBy{}) return {};
   const Mistake one = by.first != Mistake::none ? by.first : by.second,
@@ -244,7 +251,7 @@ Variation variation_of(const MistakenBy& by, const RenderOptions& options) {
   const bool of_the_lab = entry_of(one).first_stage < kAdvanced ||
                           (other != Mistake::none && entry_of(other).first_stage < kAdvanced);
   return {.number = number_of(one, other),
-          .kernel = of_the_lab ? &isa_portable::kMistakenKernel : nullptr,
+          .kernel = of_the_lab ? mistaken_kernel_of : nullptr,
           .record = of_the_lab ? isa_portable::record_mistaken_tile : nullptr,
           .vary_scene =
               [one, other, terms = options.terms](Scene& scene) {
