@@ -2,7 +2,7 @@
 // How often the grader is right: pictures as they are handed in, right ones, those of every mistake
 // and of some that no catalogue knows, each altered once or twice. grader_bench SEED CASES [KIND];
 // with -v it tells each picture that was not judged right, -o FOLDER keeps them, =NUMBER judges
-// one.
+// one, -s SIDE draws smaller ones.
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <unistd.h>
@@ -55,8 +55,9 @@ bool is_plain(const Image& picture) {
 }
 
 struct Bench {
-  explicit Bench(unsigned seed) : random(seed) {
+  Bench(unsigned seed, std::uint32_t side) : random(seed) {
     scenes = {course_scene(), second_scene(), third_scene()};
+    for (Scene& scene : scenes) scene.resolution = {side, side};
     for (const Scene& scene : scenes)
       graders.push_back(Grader::create(scene, lab_options()).value());
   }
@@ -133,7 +134,7 @@ struct Bench {
   Case two(std::size_t i);
   Case nothing(std::size_t i) {
     const std::size_t scene = random() % 3;
-    Image picture(128, 128);
+    Image picture(scenes[0].resolution.width, scenes[0].resolution.height);
     std::string name;
     switch (random() % 3) {
       case 0: {
@@ -311,12 +312,16 @@ int run(int count, char** values) {
   if (count < 3) {
     fmt::print(stderr,
                "grader_bench SEED CASES [right own one outside held two nothing] [-v] [-o FOLDER] "
-               "[=NUMBER]\n");
+               "[-s SIDE] [=NUMBER]\n");
     return 2;
   }
   const auto seed = static_cast<unsigned>(std::stoul(values[1]));
   const std::size_t cases = std::stoul(values[2]);
-  Bench bench(seed);
+  std::uint32_t side = kSide;
+  for (int i = 3; i + 1 < count; ++i)
+    if (std::string_view(values[i]) == "-s")
+      side = static_cast<std::uint32_t>(std::stoul(values[i + 1]));
+  Bench bench(seed, side);
   std::string kinds;
   std::set<std::size_t> only;
   for (int i = 3; i < count; ++i) {
@@ -324,6 +329,8 @@ int run(int count, char** values) {
       bench.tell = true;
     else if (std::string_view(values[i]) == "-o" && i + 1 < count)
       bench.kept = values[++i];
+    else if (std::string_view(values[i]) == "-s" && i + 1 < count)
+      ++i;
     else if (std::string_view(values[i]).starts_with("="))
       only.insert(std::stoul(values[i] + 1));
     else

@@ -94,35 +94,57 @@ const StagePictures* SizedPictures::of(std::uint32_t width, std::uint32_t height
 
 namespace {
 
-/// The pixels of a picture that another size of it has: at their centres, or at their corners.
-Image repeated(const Image& image, std::uint32_t width, std::uint32_t height, bool centers) {
-  Image out(width, height);
-  const auto at = [&](std::uint32_t i, std::uint32_t of, std::uint32_t in) {
-    if (centers)
-      return static_cast<std::uint32_t>((2 * std::uint64_t{i} + 1) * in / (2 * std::uint64_t{of}));
-    // The first of those that were made of one.
-    const std::uint64_t up = of < in ? of - 1 : 0;
-    return std::min(in - 1, static_cast<std::uint32_t>((std::uint64_t{i} * in + up) / of));
-  };
-  for (std::uint32_t y = 0; y < height; ++y)
-    for (std::uint32_t x = 0; x < width; ++x)
-      std::copy_n(
-          image.row(at(y, height, image.height)) + std::size_t{3} * at(x, width, image.width), 3,
-          out.row(y) + std::size_t{3} * x);
-  return out;
+/// A picture as it is turned, with nothing moved.
+class TurnedPixels {
+ public:
+  TurnedPixels(const Image& image, const Turn& turn)
+      : width(turn.transposed ? image.height : image.width),
+        height(turn.transposed ? image.width : image.height) {
+    const auto at = [&](std::int64_t x, std::int64_t y) {
+      if (turn.flipped) y = height - 1 - y;
+      if (turn.transposed) std::swap(x, y);
+      if (turn.flipped_first) y = image.height - 1 - y;
+      return 3 * (y * image.width + x);
+    };
+    first_ = image.pixels.data() + at(0, 0);
+    right_ = at(1, 0) - at(0, 0);
+    down_ = at(0, 1) - at(0, 0);
+  }
+  const float* pixel(std::int64_t x, std::int64_t y) const {
+    return first_ + x * right_ + y * down_;
+  }
+
+  std::uint32_t width, height;
+
+ private:
+  const float* first_;
+  std::ptrdiff_t right_, down_;
+};
+
+/// Which of `in` pixels of a row one of `of` pixels has: those at centres, or at corners.
+std::vector<std::uint32_t> repeated(std::uint32_t of, std::uint32_t in, bool centers) {
+  std::vector<std::uint32_t> kept(of);
+  // The first of those that were made of one.
+  const std::uint64_t up = of < in ? of - 1 : 0;
+  for (std::uint32_t i = 0; i < of; ++i)
+    kept[i] =
+        centers
+            ? static_cast<std::uint32_t>((2 * std::uint64_t{i} + 1) * in / (2 * std::uint64_t{of}))
+            : std::min(in - 1, static_cast<std::uint32_t>((std::uint64_t{i} * in + up) / of));
+  return kept;
 }
 
 /// The share of an outline's pixels that are on their sides of it: all where a program has drawn
 /// them, few where a screen has scaled them.
-double on_their_sides(const Outline& outline, const Image& picture, bool jpeg, std::int64_t left,
-                      std::int64_t top, const std::array<float, 3>& background) {
+double on_their_sides(const Outline& outline, const TurnedPixels& picture, bool jpeg,
+                      std::int64_t left, std::int64_t top, const std::array<float, 3>& background) {
   const float same = jpeg ? kSameInJpeg : kSameColor;
   std::size_t right = 0, all = 0;
   const auto count = [&](const auto& pixels, bool is_background) {
     for (const auto& [x, y] : pixels) {
       const std::int64_t u = left + x, v = top + y;
       if (u < 0 || v < 0 || u >= picture.width || v >= picture.height) continue;
-      const float* p = picture.row(static_cast<std::uint32_t>(v)) + 3 * u;
+      const float* p = picture.pixel(u, v);
       float most = 0;
       for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::fabs(p[c] - background[c]));
       ++all;
@@ -134,43 +156,71 @@ double on_their_sides(const Outline& outline, const Image& picture, bool jpeg, s
   return all < kLeastOutline ? 0 : static_cast<double>(right) / static_cast<double>(all);
 }
 
-}  // namespace
+/// Pixels that repeat those of a smaller picture: where nothing changes, nothing tells.
+bool are_repeated(const TurnedPixels& image, const std::vector<std::uint32_t>& columns,
+                  const std::vector<std::uint32_t>& rows) {
+  const double most = 3.0 * image.width * image.height;
+  std::size_t other = 0, all = 0;
+  for (std::uint32_t y = 1; y < image.height; ++y) {
+    for (std::uint32_t x = 1; x < image.width; ++x) {
+      const float *here = image.pixel(x, y), *before = image.pixel(x - 1, y),
+                  *above = image.pixel(x, y - 1), *again = image.pixel(columns[x], rows[y]);
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (std::fabs(here[c] - before[c]) <= kSameColor &&
+            std::fabs(here[c] - above[c]) <= kSameColor)
+          continue;
+        ++all;
+        other += !(std::fabs(here[c] - again[c]) < kSameColor);
+      }
+    }
+    if (static_cast<double>(other) > (1 - kRepeated) * most) return false;
+  }
+  return all >= kLeastOutline &&
+         static_cast<double>(all - other) >= kRepeated * static_cast<double>(all);
+}
 
 /// A picture whose pixels were repeated until it had another size, as before; none where they were
 /// not.
-std::optional<Image> unrepeated(const Image& image, std::uint32_t width, std::uint32_t height) {
-  if (image.width <= width || image.height <= height) return std::nullopt;
-  const std::size_t row = std::size_t{3} * image.width;
+std::optional<Image> unrepeated(const TurnedPixels& image, std::uint32_t width,
+                                std::uint32_t height) {
   for (const bool centers : {true, false}) {
-    Image out = repeated(image, width, height, centers);
-    const Image again = repeated(out, image.width, image.height, centers);
-    // Where nothing changes, nothing tells.
-    std::size_t same = 0, all = 0;
-    for (std::uint32_t y = 1; y < image.height; ++y)
-      for (std::size_t x = 3; x < row; ++x) {
-        const float *here = image.row(y) + x, *above = image.row(y - 1) + x;
-        if (std::fabs(here[0] - here[-3]) <= kSameColor &&
-            std::fabs(here[0] - above[0]) <= kSameColor)
-          continue;
-        ++all;
-        same += std::fabs(here[0] - again.row(y)[x]) < kSameColor;
-      }
-    if (all >= kLeastOutline && static_cast<double>(same) >= kRepeated * static_cast<double>(all))
-      return out;
+    const std::vector<std::uint32_t> columns = repeated(width, image.width, centers),
+                                     rows = repeated(height, image.height, centers);
+    const auto again = [&](std::uint32_t size, const std::vector<std::uint32_t>& kept) {
+      std::vector<std::uint32_t> twice =
+          repeated(size, static_cast<std::uint32_t>(kept.size()), centers);
+      for (std::uint32_t& i : twice) i = kept[i];
+      return twice;
+    };
+    if (!are_repeated(image, again(image.width, columns), again(image.height, rows))) continue;
+    Image out(width, height);
+    for (std::uint32_t y = 0; y < height; ++y)
+      for (std::uint32_t x = 0; x < width; ++x)
+        std::copy_n(image.pixel(columns[x], rows[y]), 3, out.row(y) + std::size_t{3} * x);
+    return out;
   }
   return std::nullopt;
 }
 
+}  // namespace
+
 std::vector<Fitted> drawn_as_whole(const Image& submitted, bool jpeg, const SizedPictures& sizes) {
   std::vector<Fitted> all;
-  Image painted = submitted;
-  const bool unpainted = fill_unpainted(painted, jpeg);
-  const auto add_unrepeated = [&](const Turn& turn, std::uint32_t width, std::uint32_t height) {
+  std::optional<bool> unpainted;
+  const auto is_unpainted = [&] {
+    if (!unpainted) {
+      Image painted = submitted;
+      unpainted = fill_unpainted(painted, jpeg);
+    }
+    return *unpainted;
+  };
+  const auto add_unrepeated = [&](const Turn& turn, const TurnedPixels& turned) {
     const auto [own_width, own_height] = sizes.own_size();
-    const double across = static_cast<double>(width) / own_width,
-                 down = static_cast<double>(height) / own_height;
-    if (jpeg || unpainted || std::fabs(across / down - 1) > 0.02) return;
-    const std::optional<Image> out = unrepeated(turned_by(submitted, turn), own_width, own_height);
+    const double across = static_cast<double>(turned.width) / own_width,
+                 down = static_cast<double>(turned.height) / own_height;
+    if (jpeg || across <= 1 || down <= 1 || std::fabs(across / down - 1) > 0.02 || is_unpainted())
+      return;
+    const std::optional<Image> out = unrepeated(turned, own_width, own_height);
     if (!out) return;
     all.push_back(fitted_at({{}, {}, 1}, *out, false, own_width, own_height));
     all.back().sure = true;
@@ -182,12 +232,11 @@ std::vector<Fitted> drawn_as_whole(const Image& submitted, bool jpeg, const Size
     alignment.down = down;
   };
   for (const Turn& turn : kTurns) {
-    const std::uint32_t width = turn.transposed ? submitted.height : submitted.width,
-                        height = turn.transposed ? submitted.width : submitted.height;
-    add_unrepeated(turn, width, height);
+    const TurnedPixels turned(submitted, turn);
+    const std::uint32_t width = turned.width, height = turned.height;
+    add_unrepeated(turn, turned);
     const bool own = std::pair(width, height) == sizes.own_size();
     const bool as_it_is = own && !turn.flipped_first && !turn.transposed && !turn.flipped;
-    const Image turned = turned_by(submitted, turn);
     // What moves the outline by a pixel at most is found out later.
     double share =
         on_their_sides(sizes.outline(width, height), turned, jpeg, 0, 0, sizes.background());
@@ -236,7 +285,7 @@ void add_drawn_sizes(const Image& submitted, bool jpeg, const SizedPictures& siz
     double most = jpeg ? kOfJpeg : kOfAll;
     Position best{};
     std::pair<std::uint32_t, std::uint32_t> found;
-    const Image turned = may_be ? turned_by(submitted, one.turn) : Image();
+    const TurnedPixels turned(submitted, one.turn);
     for (const std::uint32_t w : may_be ? likely_widths(width) : std::vector<std::uint32_t>()) {
       const auto h = static_cast<std::uint32_t>(
           std::lround(static_cast<double>(w) * one.image.height / one.image.width));
@@ -268,8 +317,8 @@ void add_drawn_sizes(const Image& submitted, bool jpeg, const SizedPictures& siz
   }
   const auto is_sure = [&](const Fitted& one) {
     if (!one.exact) return false;
-    return on_their_sides(sizes.outline(one.image.width, one.image.height), one.image, jpeg, 0, 0,
-                          sizes.background()) >= (jpeg ? kSureOfJpeg : kSure);
+    return on_their_sides(sizes.outline(one.image.width, one.image.height), {one.image, {}}, jpeg,
+                          0, 0, sizes.background()) >= (jpeg ? kSureOfJpeg : kSure);
   };
   if (std::any_of(all.begin(), all.end(), is_sure))
     std::erase_if(all, [](const Fitted& one) { return !one.exact; });

@@ -75,8 +75,8 @@ RoundTrip::RoundTrip(const Fitted& fitted, const JpegTables* tables) : tables_(t
   part_.image = cropped(*fitted.source, part.left, part.top, part_.width, part_.height);
 }
 
-Image RoundTrip::operator()(const Image& image) const {
-  if (tables_ == nullptr) return through_scaling(image, part_);
+Image RoundTrip::operator()(Image image) const {
+  if (tables_ == nullptr) return part_.softened ? through_scaling(image, part_) : image;
   const auto compressed = [&](const Image& there) {
     const Image handed_in = zraka::turned_by(there, undone(part_.turn));
     return zraka::turned_by(compressed_again(handed_in, *tables_), part_.turn);

@@ -13,7 +13,7 @@ class RoundTrip {
   RoundTrip() = default;
   /// `tables`: the submission's, nullptr where it is no JPEG. The fit must outlive it.
   RoundTrip(const Fitted& fitted, const JpegTables* tables);
-  Image operator()(const Image& image) const;
+  Image operator()(Image image) const;
 
  private:
   const JpegTables* tables_ = nullptr;
