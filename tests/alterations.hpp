@@ -103,7 +103,7 @@ inline Image framed(const Image& image, Random& random) {
   return window;
 }
 inline Image on_desktop(const Image& image, Random& random) {
-  Image screen(image.width * 3, image.height * 2);
+  Image screen(image.width * 3, std::max(image.height * 2, image.height + 80));
   const double phase = from(random, 0, 6);
   for (std::uint32_t y = 0; y < screen.height; ++y)
     for (std::uint32_t x = 0; x < screen.width; ++x) {

@@ -246,7 +246,7 @@ std::optional<StageGrade> judge_by_mistakes(const StagePictures& pictures, int s
     StageGrade grade = Judge(pictures, stage, fitted, submitted.compression(), by).verdict(nullptr);
     const bool sure = grade.verdict == Verdict::mistaken ||
                       (grade.verdict == Verdict::probable && place.likeness > seen + kMoreAlike);
-    if (sure &&
+    if (sure && !is_the_whole(pictures, stage, submitted, fitted, grade) &&
         std::find(grade.mistakes.begin(), grade.mistakes.end(), by.first) != grade.mistakes.end())
       return grade;
   }

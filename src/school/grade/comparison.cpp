@@ -129,6 +129,47 @@ Rest StageComparison::left_of_rounding(const Image& picture) const {
   return rest_of(smooth_, picture, fitted_.region, close);
 }
 
+LeftOfChange StageComparison::left_of_change(const Image& picture) const {
+  constexpr float kChanged = 1.5F / 255;
+  constexpr float kSamePixel = 0.5F / 255;
+  constexpr int kTooFew = 32;
+  const Image right = picture_of({});
+  LeftOfChange left;
+  int changed = 0, unchanged = 0, same = 0;
+  const Region& r = fitted_.region;
+  for (std::uint32_t y = r.top; y < r.bottom; ++y)
+    for (std::uint32_t x = r.left + 1; x < r.right; ++x) {
+      const std::size_t at = std::size_t{3} * x;
+      const float *p = picture.row(y) + at, *q = right.row(y) + at, *t = taken_.row(y) + at;
+      float change = 0, slope = 0, most = 0, rest = 0, of_right = 0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        change = std::max(change, std::fabs(p[c] - q[c]));
+        slope = std::max(slope, std::fabs(q[c] - (q - 3)[c]));
+        most = std::max(most, std::fabs(t[c] - p[c]));
+        rest += (t[c] - p[c]) * (t[c] - p[c]) / 3;
+        of_right += (t[c] - q[c]) * (t[c] - q[c]) / 3;
+      }
+      if (change > kChanged) {
+        ++changed;
+        left.changed += static_cast<double>(rest);
+        left.of_right += static_cast<double>(of_right);
+      } else if (slope > 0) {
+        ++unchanged;
+        same += most < kSamePixel;
+        left.noise += static_cast<double>(rest);
+      }
+    }
+  left.changed /= std::max(changed, 1);
+  left.of_right /= std::max(changed, 1);
+  if (unchanged < kTooFew) {
+    left.noise = std::numeric_limits<double>::infinity();
+    return left;
+  }
+  left.noise /= unchanged;
+  left.same_there = same >= unchanged / 2;
+  return left;
+}
+
 void StageComparison::look_closely(std::vector<Match>& matches) const {
   std::erase_if(matches, [&](const Match& m) { return m.candidate == nullptr || m.way != way_; });
   const auto nearer = [](const Match& a, const Match& b) { return a.distance < b.distance; };

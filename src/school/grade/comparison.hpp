@@ -26,6 +26,15 @@ struct Likeness {
   double share = 0;     ///< of the squares that this multiple explains
 };
 
+/// What a picture with mistakes leaves, in mean squares.
+struct LeftOfChange {
+  double changed = 0;   ///< where they change something
+  double of_right = 0;  ///< what the right picture leaves there
+  /// Where they change nothing and the picture is not plain; infinite where that is too little.
+  double noise = 0;
+  bool same_there = false;  ///< most pixels are the same there
+};
+
 /// How a submission was compressed.
 struct Compression {
   bool jpeg = false;
@@ -61,6 +70,9 @@ class StageComparison {
   /// What is left where nothing but a JPEG's rounding was lost, which the picture has lost as well:
   /// values between those of neighbours are excused no more. Right pictures leave no blocks.
   Rest left_of_rounding(const Image& picture) const;
+  /// Is every picture compressed by the submission's own tables, pixel by pixel?
+  bool compresses_alike() const { return tables_ != nullptr && fitted_.exact && way_ == 0; }
+  LeftOfChange left_of_change(const Image& picture) const;
   Match look_at(const Candidate& candidate, const Image& picture) const;
 
   /// A picture with mistakes in the size of the submission's, as it comes out of its scaling.

@@ -16,6 +16,10 @@ namespace {
 /// Outlines that are less alike than this tell nothing.
 constexpr double kLike = 0.5;
 constexpr double kPlain = 1e-6;
+/// It is as it was handed in, pixel by pixel, unless it is so many times nearer elsewhere.
+constexpr double kNearerElsewhere = 2;
+/// Elsewhere is no farther than this, in pixels, at any corner.
+constexpr double kAboutThere = 2;
 
 bool is_turn(Mistake mistake) {
   return mistake == Mistake::y_down || mistake == Mistake::transposed;
@@ -101,6 +105,27 @@ const std::vector<Fitted>& Registered::fitted() const {
   return fitted_;
 }
 
+bool is_the_whole(const StagePictures& pictures, int stage, const Registered& submitted,
+                  const Fitted& fitted, const StageGrade& grade) {
+  if (grade.mistakes.empty() || grade.alignment.swapped ||
+      grade.alignment.curve != Alignment::Curve::none || fitted.exact)
+    return false;
+  const GridPlacement& at = fitted.placement;
+  const double right = at.left + at.across * fitted.image.width,
+               bottom = at.top + at.down * fitted.image.height;
+  const auto about = [](double a, double b) { return std::fabs(a - b) <= kAboutThere; };
+  for (const Fitted& whole : submitted.plain()) {
+    if (whole.turn != fitted.turn || !whole.exact || !about(at.left, 0) || !about(at.top, 0) ||
+        !about(right, whole.width) || !about(bottom, whole.height))
+      continue;
+    const auto distance = [&](const Fitted& there) {
+      return Judge(pictures, stage, there, submitted.compression()).distance(grade.named());
+    };
+    if (distance(whole) <= kNearerElsewhere * distance(fitted)) return true;
+  }
+  return false;
+}
+
 namespace {
 
 StageGrade judge_where_it_lies(const StagePictures& pictures, int stage,
@@ -108,10 +133,12 @@ StageGrade judge_where_it_lies(const StagePictures& pictures, int stage,
   // What turning undoes is no mistake, if that leaves nothing.
   std::optional<StageGrade> unturned;
   bool differs_turned = false;
+  std::optional<StageGrade> as_whole;
   for (const Fitted& fitted : submitted.plain()) {
     StageGrade grade = Judge(pictures, stage, fitted, submitted.compression()).verdict(&known);
     if (!is_settled(grade)) {
       differs_turned = differs_turned || unturned;
+      if (!as_whole) as_whole = std::move(grade);
       continue;
     }
     if (std::none_of(grade.mistakes.begin(), grade.mistakes.end(), is_turn)) return grade;
@@ -135,6 +162,8 @@ StageGrade judge_where_it_lies(const StagePictures& pictures, int stage,
     // A second mistake is easily lost in what an inexact fit allows.
     StageGrade grade = Judge(pictures, stage, fitted, submitted.compression())
                            .verdict(fitted.exact ? &known : nullptr);
+    if (is_settled(grade) && as_whole && is_the_whole(pictures, stage, submitted, fitted, grade))
+      return *as_whole;
     if (is_settled(grade)) {
       if (std::optional<StageGrade> wide = judge_as_wide(pictures, stage, submitted, fitted))
         return *wide;
@@ -150,6 +179,8 @@ StageGrade judge_where_it_lies(const StagePictures& pictures, int stage,
   StageGrade grade = best->exact
                          ? std::move(of_best)
                          : Judge(pictures, stage, *best, submitted.compression()).verdict(&known);
+  if (is_settled(grade) && as_whole && is_the_whole(pictures, stage, submitted, *best, grade))
+    return *as_whole;
   if (stage == 1 || grade.verdict != Verdict::unknown) return grade;
   if (std::optional<StageGrade> mistaken = judge_by_mistakes(pictures, stage, submitted))
     return *mistaken;

@@ -31,6 +31,11 @@ class Registered {
   mutable bool looked_ = false;
 };
 
+/// Does a picture that lies about where the whole one does explain the named mistakes no better
+/// than the whole one? Then it is that, pixel by pixel.
+bool is_the_whole(const StagePictures& pictures, int stage, const Registered& submitted,
+                  const Fitted& fitted, const StageGrade& grade);
+
 /// Judges it as one of the stage. `known` are the mistakes that earlier stages have shown.
 StageGrade judge(const StagePictures& pictures, int stage, const Registered& submitted,
                  const std::set<Mistake>& known = {});

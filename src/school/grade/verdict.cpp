@@ -13,6 +13,11 @@ namespace {
 /// A mistake explains a picture where it leaves no more than this of the pixels that differ from
 /// the right one, of half as many where none was altered, and no more than a right one may.
 constexpr double kLeftOfWrong = 0.08;
+/// Where it changes something it leaves no more than this of what the right picture leaves there,
+/// in squares, nor more than so many times what it leaves where it changes nothing: noise is there,
+/// too. Where a JPEG's own tables leave no noise, nothing is left.
+constexpr double kMostOfChange = 0.1, kTimesNoise = 5, kFarFromNoise = 20,
+                 kNothing = 0.25 / (255 * 255.0);
 /// Other mistakes are as likely up to this ratio of what is left.
 constexpr double kAsLikely = 1.3;
 /// It explains most where it leaves this much of the pixels, and of the squared differences, and
@@ -71,6 +76,19 @@ bool Judge::leaves_a_shape(const Match& match) const {
   const Image picture = compared_.picture_of(match.candidate->by);
   const double of_right = compared_.left_of_rounding(compared_.picture_of({})).solid;
   return compared_.left_of_rounding(picture).solid > std::max(kFewBlocks, kMostOfBlocks * of_right);
+}
+
+/// What a mistake leaves where it changes the picture: nothing but noise, perhaps no more than
+/// that, or something else that was changed there.
+Judge::Left Judge::left_where_changed(const MistakenBy& by) const {
+  const LeftOfChange left = compared_.left_of_change(compared_.picture_of(by));
+  // Compressed by the same program, what is the same stays so to the bit.
+  if (compared_.compresses_alike() && left.changed > kNothing &&
+      (left.same_there || left.changed > kFarFromNoise * left.noise))
+    return Left::more;
+  if (compared_.close().blur == 0 || stage_ == 1 || left.changed <= kMostOfChange * left.of_right)
+    return Left::noise;
+  return left.changed > kTimesNoise * left.noise ? Left::more : Left::perhaps;
 }
 
 /// Those that explain the picture and that it cannot tell from the best one.
@@ -208,7 +226,8 @@ bool Judge::name_two(const std::vector<Match>& singles, const std::set<Mistake>&
   for (const Match& pair : pairs)
     if (explains(pair) && (best == nullptr || pair.distance < best->distance)) best = &pair;
   if (best == nullptr || !compared_.shows(best->candidate->by) ||
-      !compared_.has_its_powers(best->candidate->by))
+      !compared_.has_its_powers(best->candidate->by) ||
+      left_where_changed(best->candidate->by) == Left::more)
     return false;
   // One of them has to be in every pair that is as likely; another one may be as good as the other.
   const MistakenBy two = best->candidate->by;
@@ -304,6 +323,10 @@ StageGrade Judge::verdict(const std::set<Mistake>* known) {
       if (sign) grade.verdict = Verdict::unknown;
       return finish(grade);
     }
+    if (left_where_changed(hidden.front().candidate->by) == Left::more) {
+      grade.verdict = Verdict::unknown;
+      return finish(grade);
+    }
     settle(Verdict::mistaken, hidden.front().rest, grade);
     for (const Match& match : hidden) grade.mistakes.push_back(match.candidate->by.first);
     return finish(grade);
@@ -320,9 +343,12 @@ StageGrade Judge::verdict(const std::set<Mistake>* known) {
   const std::vector<Match> likely = as_likely(matches);
   if (!likely.empty() && compared_.shows(likely.front().candidate->by) &&
       !leaves_a_shape(likely.front())) {
-    settle(Verdict::mistaken, likely.front().rest, grade);
+    const Left left = left_where_changed(likely.front().candidate->by);
+    if (left == Left::more) return finish(grade);
+    settle(left == Left::noise ? Verdict::mistaken : Verdict::probable, likely.front().rest, grade);
     for (const Match& match : likely) grade.mistakes.push_back(match.candidate->by.first);
-    if (likely.size() == 1 && known != nullptr) name_second(likely.front(), grade);
+    if (likely.size() == 1 && known != nullptr && left == Left::noise)
+      name_second(likely.front(), grade);
     return finish(grade);
   }
   if (matches.empty()) return finish(grade);

@@ -30,12 +30,19 @@ class Judge {
     return compared_.compare_with_right() ? compared_.right().distance
                                           : std::numeric_limits<double>::infinity();
   }
+  /// From the picture with these mistakes, as it was handed in.
+  double distance(const MistakenBy& by) {
+    compared_.take_way(0);
+    return mean_square(compared_.taken(), compared_.picture_of(by), compared_.region());
+  }
 
  private:
   bool find_right(std::vector<Match>& by_few);
   void lie_on_nearest(const std::vector<Match>& by_few);
   bool explains(const Match& match) const;
   bool leaves_a_shape(const Match& match) const;
+  enum class Left { noise, perhaps, more };
+  Left left_where_changed(const MistakenBy& by) const;
   std::vector<Match> as_likely(const std::vector<Match>& matches) const;
   std::vector<Match> hidden_besides(const MistakenBy& by, const Image& picture, bool& sign) const;
   void name_second(const Match& first, StageGrade& grade) const;
