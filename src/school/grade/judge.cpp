@@ -20,6 +20,8 @@ constexpr double kPlain = 1e-6;
 constexpr double kNearerElsewhere = 2;
 /// Elsewhere is no farther than this, in pixels, at any corner.
 constexpr double kAboutThere = 2;
+/// More pixels tell where they lie.
+constexpr double kFewPixels = 96 * 96;
 
 bool is_turn(Mistake mistake) {
   return mistake == Mistake::y_down || mistake == Mistake::transposed;
@@ -108,15 +110,18 @@ const std::vector<Fitted>& Registered::fitted() const {
 bool is_the_whole(const StagePictures& pictures, int stage, const Registered& submitted,
                   const Fitted& fitted, const StageGrade& grade) {
   if (grade.mistakes.empty() || grade.alignment.swapped ||
-      grade.alignment.curve != Alignment::Curve::none || fitted.exact)
+      grade.alignment.curve != Alignment::Curve::none || fitted.exact ||
+      fitted.region.pixels() > kFewPixels)
     return false;
   const GridPlacement& at = fitted.placement;
   const double right = at.left + at.across * fitted.image.width,
                bottom = at.top + at.down * fitted.image.height;
   const auto about = [](double a, double b) { return std::fabs(a - b) <= kAboutThere; };
   for (const Fitted& whole : submitted.plain()) {
-    if (whole.turn != fitted.turn || !whole.exact || !about(at.left, 0) || !about(at.top, 0) ||
-        !about(right, whole.width) || !about(bottom, whole.height))
+    // That it was drawn in another size is only likely.
+    if (whole.pictures != nullptr || whole.turn != fitted.turn || !whole.exact ||
+        !about(at.left, 0) || !about(at.top, 0) || !about(right, whole.width) ||
+        !about(bottom, whole.height))
       continue;
     const auto distance = [&](const Fitted& there) {
       return Judge(pictures, stage, there, submitted.compression()).distance(grade.named());

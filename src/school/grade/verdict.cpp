@@ -16,7 +16,7 @@ constexpr double kLeftOfWrong = 0.08;
 /// Where it changes something it leaves no more than this of what the right picture leaves there,
 /// in squares, nor more than so many times what it leaves where it changes nothing: noise is there,
 /// too. Where a JPEG's own tables leave no noise, nothing is left.
-constexpr double kMostOfChange = 0.1, kTimesNoise = 5, kFarFromNoise = 20,
+constexpr double kMostOfChange = 0.1, kTimesNoise = 5, kFarFromNoise = 20, kLeastOfChange = 0.005,
                  kNothing = 0.25 / (255 * 255.0);
 /// Other mistakes are as likely up to this ratio of what is left.
 constexpr double kAsLikely = 1.3;
@@ -84,6 +84,7 @@ Judge::Left Judge::left_where_changed(const MistakenBy& by) const {
   const LeftOfChange left = compared_.left_of_change(compared_.picture_of(by));
   // Compressed by the same program, what is the same stays so to the bit.
   if (compared_.compresses_alike() && left.changed > kNothing &&
+      left.changed > kLeastOfChange * left.of_right &&
       (left.same_there || left.changed > kFarFromNoise * left.noise))
     return Left::more;
   if (compared_.close().blur == 0 || stage_ == 1 || left.changed <= kMostOfChange * left.of_right)
