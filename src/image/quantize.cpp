@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/quantize.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 
@@ -17,29 +18,32 @@ std::uint16_t quantize(float value, Transfer transfer, int bits) {
 
 namespace {
 
-constexpr std::uint32_t kLeastBits = 0x39800000;  // 2^-12
-constexpr int kStartShift = 23 - 7;               // 128 starts for each power of two
+constexpr float kLeast = 0x1p-13f;  // stored as 0
+constexpr auto kLeastBits = std::bit_cast<std::uint32_t>(kLeast);
+constexpr int kLowBits = 23 - 7;  // 128 sums for each power of two
+constexpr std::uint32_t kLow = (1u << kLowBits) - 1;
 
 }  // namespace
 
 RowQuantizer::RowQuantizer(Transfer transfer, int bits) : transfer_(transfer), bits_(bits) {
   if (bits != 8) return;
   // quantize() grows with its value, and the bits of positive floats grow with the float.
+  std::array<std::uint32_t, 257> least;  // the bits of the least float that is stored as each
   for (int v = 1; v < 256; ++v) {
     std::uint32_t low = 0, high = 0x3F800000;  // 0 is stored as less than v, 1 is not
     while (high - low > 1) {
       const std::uint32_t middle = low + (high - low) / 2;
       (quantize(std::bit_cast<float>(middle), transfer, 8) < v ? low : high) = middle;
     }
-    least_[static_cast<std::size_t>(v)] = std::bit_cast<float>(high);
+    least[static_cast<std::size_t>(v)] = high;
   }
-  least_[256] = std::numeric_limits<float>::infinity();
-  std::size_t value = 0;
-  for (std::size_t i = 0; i < start_.size(); ++i) {
-    const auto leading =
-        std::bit_cast<float>(kLeastBits + (static_cast<std::uint32_t>(i) << kStartShift));
-    while (leading >= least_[value + 1]) ++value;
-    start_[i] = static_cast<unsigned char>(value);
+  least[256] = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
+    const std::uint32_t first = kLeastBits + (static_cast<std::uint32_t>(i) << kLowBits);
+    while (first >= least[value + 1]) ++value;
+    const std::uint32_t to_next = std::min(least[value + 1] - first, kLow + 1);
+    sums_[i] = (value << kLowBits) + (kLow + 1 - to_next);
   }
 }
 
@@ -52,18 +56,19 @@ void RowQuantizer::row(const float* values, std::size_t count, unsigned char* ou
     }
     return;
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (bits_ == 16) {
-      const std::uint16_t v = quantize(values[i], transfer_, bits_);
-      *out++ = static_cast<unsigned char>(v >> 8);
-      *out++ = static_cast<unsigned char>(v & 0xFF);
-      continue;
+  if (bits_ == 8) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const float at_least = values[i] > kLeast ? values[i] : kLeast;
+      const float value = at_least < 1 ? at_least : 1.0f;
+      const std::uint32_t above = std::bit_cast<std::uint32_t>(value) - kLeastBits;
+      out[i] = static_cast<unsigned char>((sums_[above >> kLowBits] + (above & kLow)) >> kLowBits);
     }
-    const float value = values[i] > 0 ? (values[i] < 1 ? values[i] : 1.0f) : 0.0f;
-    const auto bits = std::bit_cast<std::uint32_t>(value);
-    const std::size_t start =
-        bits < kLeastBits ? 0 : start_[(bits - kLeastBits) >> kStartShift];
-    *out++ = static_cast<unsigned char>(start + (value >= least_[start + 1] ? 1 : 0));
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint16_t v = quantize(values[i], transfer_, bits_);
+    *out++ = static_cast<unsigned char>(v >> 8);
+    *out++ = static_cast<unsigned char>(v & 0xFF);
   }
 }
 

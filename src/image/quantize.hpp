@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <zraka/image.hpp>
 
 namespace zraka {
@@ -18,11 +19,10 @@ class RowQuantizer {
  private:
   Transfer transfer_;
   int bits_;
-  /// For 8 bits: the least float that is stored as each value; and what the least float of so many
-  /// leading bits is stored as, from 2^-12 to 1. Any other of these bits is stored as that or as
-  /// the next value.
-  std::array<float, 257> least_{};
-  std::array<unsigned char, 12 * 128 + 1> start_{};
+  /// For 8 bits, by the leading bits of floats from 2^-13 to 1: what the least float of these is
+  /// stored as, times 2^16, and what is missing to the next value. Floats of the same leading bits
+  /// are stored as that or as the next value, so the sum with the other 16 bits says which.
+  std::array<std::uint32_t, 13 * 128 + 1> sums_{};
 };
 
 }  // namespace zraka
