@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "accel/traverse.hpp"
@@ -20,25 +21,27 @@ namespace zraka::ZRAKA_ISA {
 template <class R>
 void sort_hits(const Hierarchy& hierarchy, const Scratch<R>& scratch, std::size_t n,
                std::int32_t* rays) {
-  const auto key = [&](std::int32_t ray) {
-    const std::int32_t slot = scratch.slot[ray];
-    return hierarchy.rank != nullptr ? hierarchy.rank[slot] : slot;
-  };
-  std::int32_t first = key(rays[0]), last = first;
-  for (std::size_t i = 1; i < n; ++i) {
-    first = std::min(first, key(rays[i]));
-    last = std::max(last, key(rays[i]));
+  std::int32_t* const keys = scratch.material;          // not in use yet
+  std::int32_t* const sorted = scratch.shadow_ray_hit;  // nor this
+  std::int32_t first = std::numeric_limits<std::int32_t>::max(), last = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::int32_t slot = scratch.slot[rays[i]];
+    keys[i] = hierarchy.rank != nullptr ? hierarchy.rank[slot] : slot;
+    first = std::min(first, keys[i]);
+    last = std::max(last, keys[i]);
   }
+  if (first == last) return;
   constexpr int kBuckets = 1024;
   int shift = 0;
   while ((last - first) >> shift >= kBuckets) ++shift;
-  const auto bucket = [&](std::int32_t ray) { return (key(ray) - first) >> shift; };
-  std::int32_t position[kBuckets] = {};
-  for (std::size_t i = 0; i < n; ++i) ++position[bucket(rays[i])];
+  const auto bucket = [&](std::size_t i) { return (keys[i] - first) >> shift; };
+  std::int32_t position[kBuckets];
+  std::int32_t* const end = position + ((last - first) >> shift) + 1;
+  std::fill(position, end, 0);
+  for (std::size_t i = 0; i < n; ++i) ++position[bucket(i)];
   std::int32_t before = 0;
-  for (std::int32_t& p : position) before += std::exchange(p, before);
-  std::int32_t* const sorted = scratch.shadow_ray_hit;  // not in use yet
-  for (std::size_t i = 0; i < n; ++i) sorted[position[bucket(rays[i])]++] = rays[i];
+  for (std::int32_t* p = position; p != end; ++p) before += std::exchange(*p, before);
+  for (std::size_t i = 0; i < n; ++i) sorted[position[bucket(i)]++] = rays[i];
   std::copy(sorted, sorted + n, rays);
 }
 
