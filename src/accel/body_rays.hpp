@@ -82,22 +82,19 @@ struct NumbersAfter {
   const double* of(std::size_t lane) const { return row.of(lane) + kBodyNumbers; }
 };
 
-/// Crossings of a body of this type, whose numbers are `row`, as distances along the rays, and the
-/// rays in its own space; with first_only, as BodyRay has it. A function of its own, for it is
-/// long: hits, surfaces and CSG share it.
+/// Crossings of a body of this type, whose numbers are `row`, as distances along the rays; with
+/// first_only, as BodyRay has it. A function of its own, for it is long: hits, surfaces and CSG
+/// share it. It hands on no view of the rays: what is to be returned is kept in memory all along.
 template <class Shape, class D, class Row>
-__attribute__((noinline)) BodyView<typename D::F> crossings(const Row& row,
-                                                            const V3<typename D::F>& origin,
-                                                            const V3<typename D::F>& direction,
-                                                            bool first_only,
-                                                            typename D::F* at) {
+__attribute__((noinline)) void crossings(const Row& row, const V3<typename D::F>& origin,
+                                         const V3<typename D::F>& direction, bool first_only,
+                                         typename D::F* at) {
   using F = typename D::F;
   constexpr int kMost = BodyLanes<Shape, D>::kMost;
   const BodyView<F> view = view_of(row, origin, direction, first_only);
   F found[kMost];
   BodyLanes<Shape, D>::cross(NumbersAfter<Row>{row}, view.ray, found);
   for (int k = 0; k < kMost; ++k) at[k] = view.distance(found[k]);
-  return view;
 }
 
 /// The first of crossings that lies in front; kNever where none does.

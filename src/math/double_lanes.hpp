@@ -119,13 +119,22 @@ ZRAKA_INLINE DoubleMask select(DoubleMask m, DoubleMask a, DoubleMask b) {
 ZRAKA_INLINE DoubleLanes sqrt(DoubleLanes a) {
   return hn::Sqrt(a.v);
 }
-/// a < b ? a : b, also for NaN and for zeros of both signs.
+#if HWY_ARCH_X86
+// The registers' own: a < b ? a : b, also for NaN and for zeros of both signs.
+ZRAKA_INLINE DoubleLanes min(DoubleLanes a, DoubleLanes b) {
+  return hn::Min(a.v, b.v);
+}
+ZRAKA_INLINE DoubleLanes max(DoubleLanes a, DoubleLanes b) {
+  return hn::Max(a.v, b.v);
+}
+#else
 ZRAKA_INLINE DoubleLanes min(DoubleLanes a, DoubleLanes b) {
   return select(a < b, a, b);
 }
 ZRAKA_INLINE DoubleLanes max(DoubleLanes a, DoubleLanes b) {
   return select(a > b, a, b);
 }
+#endif
 ZRAKA_INLINE DoubleLanes copy_sign(DoubleLanes magnitude, DoubleLanes sign) {
   return hn::CopySign(magnitude.v, sign.v);
 }
