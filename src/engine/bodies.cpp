@@ -125,6 +125,13 @@ void surfaces_of_bodies(const FrozenShapes<typename L::Real, Body>& bodies, type
   std::uint32_t left = bits(but_not(slot >= I(bodies.first_slot),
                                     slot >= I(bodies.first_slot + bodies.count)));
   if (left == 0) return;
+  const std::int32_t first = first_lane(slot) - bodies.first_slot;
+  if (all(slot == I(bodies.first_slot + first)) && bodies.type[first] == kTypePlane) {
+    surfaces_of_plane<L>(bodies.numbers + bodies.start[first], origin, direction, surfaces.at);
+    surfaces.material = I(bodies.material[first]);
+    for (std::size_t i = 0; paths != nullptr && i < L::kWidth; ++i) paths[i].body = first;
+    return;
+  }
   BodyQuery<L> query;
   store_rays<L>(origin, direction, query);
   L::store(slot + I(-bodies.first_slot), query.body);

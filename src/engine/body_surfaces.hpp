@@ -147,6 +147,36 @@ ZRAKA_INLINE SurfaceInLanes<D> surface_in_lanes(const Row& row, const V3<typenam
   }
 }
 
+/// Where all lanes hit one plane, as they mostly do on what scenes stand on: what surfaces_of()
+/// finds, without memory in between.
+template <class L>
+ZRAKA_INLINE void surfaces_of_plane(const double* numbers, const V3<typename L::F>& origin,
+                                    const V3<typename L::F>& direction, SurfacePoint<L>& out) {
+  using D = DoublesOf<L>;
+  using F = typename D::F;
+  constexpr std::size_t kParts = kDoubleParts<L>;
+  F o[3][kParts], d[3][kParts], point[3][kParts], normal[3][kParts], unit[kParts], inside[kParts];
+  widen(origin.x, o[0]), widen(origin.y, o[1]), widen(origin.z, o[2]);
+  widen(direction.x, d[0]), widen(direction.y, d[1]), widen(direction.z, d[2]);
+  for (std::size_t i = 0; i < kParts; ++i) {
+    const V3<F> from{o[0][i], o[1][i], o[2][i]}, way{d[0][i], d[1][i], d[2][i]};
+    const auto found = surface_in_lanes<Plane, D>(SharedNumbers<D>{numbers}, from, way);
+    const V3<F> at = from + way * found.t;
+    point[0][i] = at.x, point[1][i] = at.y, point[2][i] = at.z;
+    normal[0][i] = found.normal.x, normal[1][i] = found.normal.y, normal[2][i] = found.normal.z;
+    unit[i] = found.unit;
+    inside[i] = select(found.inside, F(1.0), F(0.0));
+  }
+  out.point = {narrow(point[0]), narrow(point[1]), narrow(point[2])};
+  out.normal = {narrow(normal[0]), narrow(normal[1]), narrow(normal[2])};
+  out.inside = narrow(inside) > typename L::F(typename L::Real(0));
+  F most[kParts];
+  widen(max(abs(out.point.x), max(abs(out.point.y), abs(out.point.z))), most);
+  for (std::size_t i = 0; i < kParts; ++i)
+    most[i] = most[i] * F(kBodyOffset<typename L::Real>) + unit[i] * F(kOwnOffset<typename L::Real>);
+  out.offset = narrow(most);
+}
+
 /// Of lanes that hit bodies of this type.
 template <class Shape, class L>
 void surfaces_of(const FrozenShapes<typename L::Real, Body>& bodies, std::uint32_t lanes,
