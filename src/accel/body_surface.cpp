@@ -66,7 +66,7 @@ OnBody on_body(const FrozenBodies& bodies, std::int32_t body, const V3<double>& 
 
 int csg_crossings(const FrozenBodies& bodies, std::int32_t body, const V3<double>& origin,
                   const V3<double>& direction, CsgCrossing* found, int most) {
-  const CsgWay<ScalarDoubles> way(bodies, body, origin, direction, true, false);
+  const CsgWay<ScalarDoubles> way(bodies, body, origin, direction, true, kNever, false);
   int count = 0;
   for (double t = way.next(0); t < kNever; t = way.next(t))
     for (int i = 0; i < way.members(); ++i)

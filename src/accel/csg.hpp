@@ -57,11 +57,12 @@ class CsgWay {
   using F = typename D::F;
   using M = typename D::M;
 
-  /// Of the lanes that are asked for. With `whole_alone`, members that no ray goes through and
-  /// that the whole needs spare the others.
+  /// Of the lanes that are asked for, as far as `limit`. With `whole_alone`, members that no ray
+  /// goes through before it and that the whole needs spare the others.
   CsgWay(const FrozenBodies& bodies, std::int32_t body, const V3<F>& origin,
-         const V3<F>& direction, M asked, bool whole_alone)
-      : csg_{bodies.numbers + bodies.start[body]}, asked_(asked) {
+         const V3<F>& direction, M asked, F limit, bool whole_alone)
+      : csg_{bodies.numbers + bodies.start[body]}, asked_(asked), limit_(limit) {
+    const bool by_table = csg_.has_table();
     int used = 0;
     for (int i = 0; i < csg_.members(); ++i) {
       first_[i] = used;
@@ -70,7 +71,8 @@ class CsgWay {
       kCrossingFunctions<D>[bodies.type[member]](bodies.numbers + bodies.start[member], origin,
                                                  direction, at_ + used);
       used += kMostCrossings[bodies.type[member]];
-      if (whole_alone && csg_.has_table() && csg_needs(csg_.table(), i))
+      for (int k = first_[i]; by_table && k < used; k += 2) bit_[k / 2] = std::uint64_t{1} << i;
+      if (whole_alone && by_table && csg_needs(csg_.table(), i))
         misses_ = !any(both(asked, has_part_ahead(first_[i], used)));
     }
     first_[csg_.members()] = used;
@@ -78,6 +80,7 @@ class CsgWay {
 
   /// Whether what is behind distance t is inside.
   M inside(F t) const {
+    if (csg_.has_table()) return D::has_bit(csg_.table(), members_at(crossing_count(), t));
     return csg_value(
         csg_.length(), [&](int i) { return csg_.step(i); },
         [&](int member) { return in_member(member, t); },
@@ -89,31 +92,19 @@ class CsgWay {
   }
 
   /// The next crossing with any member after t, kNever where there is none.
-  F next(F t) const {
-    F nearest(kNever);
-    for (int k = 0; k < first_[csg_.members()]; ++k)
-      nearest = select(at_[k] > t, min(at_[k], nearest), nearest);
-    return nearest;
-  }
+  F next(F t) const { return next_of(crossing_count(), t); }
 
-  /// The first crossing with the whole's surface in front of the origin, before `limit`.
-  F first_hit(F limit) const {
-    F found(kNever);
-    if (misses_) return found;
-    F t(0.0);
-    const bool by_table = csg_.has_table();
-    const std::uint64_t table = by_table ? csg_.table() : 0;
-    typename D::B state = by_table ? members_at(t) : D::bits_if(asked_, 0);
-    const M began = by_table ? D::has_bit(table, state) : inside(t);
-    for (;;) {
-      t = next(t);
-      const auto going = both(both(asked_, t < limit), found == F(kNever));
-      if (!any(going)) return found;
-      if (by_table) state = D::flip(state, crossed_at(t));
-      const M now = by_table ? D::has_bit(table, state) : inside(t);
-      const auto changed = both(going, either(but_not(now, began), but_not(began, now)));
-      found = select(changed, t, found);
-      t = select(found < F(kNever), F(kNever), t);
+  /// The first crossing with the whole's surface in front of the origin, before the limit.
+  F first_hit() const {
+    if (misses_) return F(kNever);
+    if (!csg_.has_table()) {
+      const auto is_inside = [&](F t) { return inside(t); };
+      return first_change(crossing_count(), is_inside(F(0.0)), is_inside);
+    }
+    switch (crossing_count()) {  // mostly so few that no loop is needed
+      case 4: return first_change_by_table(std::integral_constant<int, 4>{});
+      case 6: return first_change_by_table(std::integral_constant<int, 6>{});
+      default: return first_change_by_table(crossing_count());
     }
   }
 
@@ -127,6 +118,7 @@ class CsgWay {
   int members() const { return csg_.members(); }
   std::int32_t member(int i) const { return csg_.member(i); }
   const F* crossings(int member) const { return at_ + first_[member]; }
+  int crossing_count() const { return first_[csg_.members()]; }
   int crossing_count(int member) const { return first_[member + 1] - first_[member]; }
 
  private:
@@ -137,34 +129,71 @@ class CsgWay {
     return in;
   }
 
+  template <class Count>
+  ZRAKA_INLINE F next_of(Count count, F t) const {
+    F nearest(kNever);
+    for (int k = 0; k < count; ++k)
+      nearest = min(select(at_[k] > t, at_[k], F(kNever)), nearest);
+    return nearest;
+  }
+
+  /// The first crossing before the limit behind which `value` is not what it began with.
+  template <class Count, class Value>
+  ZRAKA_INLINE F first_change(Count count, M began, const Value& value) const {
+    F t(0.0), found(kNever);
+    for (M going = asked_;;) {
+      t = next_of(count, t);
+      going = both(going, t < limit_);
+      if (!any(going)) return found;
+      const M now = value(t);
+      const M changed = both(going, either(but_not(now, began), but_not(began, now)));
+      found = select(changed, t, found);
+      going = but_not(going, changed);
+      if (!any(going)) return found;
+    }
+  }
+  template <class Count>
+  ZRAKA_INLINE F first_change_by_table(Count count) const {
+    const std::uint64_t table = csg_.table();
+    typename D::B members = members_at(count, F(0.0));
+    return first_change(count, D::has_bit(table, members), [&](F t) {
+      members = D::flip(members, crossed_at(count, t));
+      return D::has_bit(table, members);
+    });
+  }
+
   /// The members that hold what is behind t, a bit each.
-  typename D::B members_at(F t) const {
+  template <class Count>
+  ZRAKA_INLINE typename D::B members_at(Count count, F t) const {
     typename D::B in = D::bits_if(t < t, 0);
-    for (int i = 0; i < csg_.members(); ++i)
-      in = D::flip(in, D::bits_if(in_member(i, t), std::uint64_t{1} << i));
+    for (int k = 0; k < count; k += 2)
+      in = D::unite(in, D::bits_if(both(at_[k] <= t, t < at_[k + 1]), bit_[k / 2]));
     return in;
   }
   /// The members that are crossed at t, a bit each: entered, or left, or both and so neither.
-  typename D::B crossed_at(F t) const {
+  template <class Count>
+  ZRAKA_INLINE typename D::B crossed_at(Count count, F t) const {
     typename D::B crossed = D::bits_if(t < t, 0);
-    for (int i = 0; i < csg_.members(); ++i)
-      for (int k = first_[i]; k < first_[i + 1]; ++k)
-        crossed = D::flip(crossed, D::bits_if(at_[k] == t, std::uint64_t{1} << i));
+    for (int k = 0; k < count; ++k)
+      crossed = D::flip(crossed, D::bits_if(at_[k] == t, bit_[k / 2]));
     return crossed;
   }
-  /// Whether any part of a member, whose crossings these are, is in front of the origin.
+  /// Whether any part of a member, whose crossings these are, is in front of the origin and before
+  /// the limit.
   M has_part_ahead(int begin, int end) const {
     M ahead = F(0.0) > F(0.0);
     for (int k = begin; k < end; k += 2)
-      ahead = either(ahead, both(at_[k] < F(kNever), at_[k + 1] > F(0.0)));
+      ahead = either(ahead, both(at_[k] < limit_, at_[k + 1] > F(0.0)));
     return ahead;
   }
 
   CsgNumbers csg_;
   M asked_;
+  F limit_;
   bool misses_ = false;  ///< all of the rays, the whole
   int first_[kMostCsgCrossings + 1];
   F at_[kMostCsgCrossings];
+  std::uint64_t bit_[kMostCsgCrossings / 2];  ///< of a pair of crossings' member, where there is a table
 };
 
 }  // namespace zraka::ZRAKA_ISA

@@ -47,11 +47,13 @@ void hit_csgs(const FrozenShapes<typename L::Real, Body>& bodies, BodyQuery<L>& 
     while (asked != 0) {
       const std::int32_t body = query.body[c + static_cast<std::size_t>(__builtin_ctz(asked))];
       const std::uint32_t mine =
-          lanes_with(asked, [&](std::size_t i) { return query.body[c + i] == body; });
+          query.one_body
+              ? asked
+              : lanes_with(asked, [&](std::size_t i) { return query.body[c + i] == body; });
       // What is found in float is compared with the limit later: here it is only roughly known.
       const F limit = D::load_reals(query.limit + c) * F(1.0 + 0x1p-20);
-      const CsgWay<D> way(bodies, body, origin, direction, D::from_bits(mine), true);
-      answer<L>(query, c, mine, way.first_hit(limit));
+      const CsgWay<D> way(bodies, body, origin, direction, D::from_bits(mine), limit, true);
+      answer<L>(query, c, mine, way.first_hit());
       asked &= ~mine;
     }
   });

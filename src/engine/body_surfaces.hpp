@@ -251,8 +251,8 @@ void surfaces_of_csg(const FrozenShapes<typename L::Real, Body>& bodies, std::in
   each_part<L>(lanes, [&](std::size_t c, std::uint32_t asked) {
     const V3<F> origin = load_doubles<L>(query.origin, c);
     const V3<F> direction = load_doubles<L>(query.direction, c);
-    const CsgWay<D> way(bodies, body, origin, direction, D::from_bits(asked), true);
-    const F t = way.first_hit(F(kNever));
+    const CsgWay<D> way(bodies, body, origin, direction, D::from_bits(asked), F(kNever), true);
+    const F t = way.first_hit();
     V3<F> normal{F(0.0), F(1.0), F(0.0)};
     F unit(1.0);
     std::uint32_t left = asked;

@@ -24,6 +24,7 @@ struct ScalarDoubles {
   static ZRAKA_INLINE M from_bits(std::uint32_t b) { return (b & 1) != 0; }
   static ZRAKA_INLINE B bits_if(M m, std::uint64_t b) { return m ? b : 0; }
   static ZRAKA_INLINE B flip(B a, B b) { return a ^ b; }
+  static ZRAKA_INLINE B unite(B a, B b) { return a | b; }
   static ZRAKA_INLINE M has_bit(std::uint64_t table, B index) { return (table >> index & 1) != 0; }
 };
 
@@ -216,6 +217,7 @@ struct WideDoubles {
     return hn::IfThenElseZero(hn::RebindMask(du, m.v), hn::Set(du, b));
   }
   static ZRAKA_INLINE B flip(B a, B b) { return hn::Xor(a, b); }
+  static ZRAKA_INLINE B unite(B a, B b) { return hn::Or(a, b); }
   /// Whether bit number `index` of a table is set.
   static ZRAKA_INLINE M has_bit(std::uint64_t table, B index) {
     const hn::RebindToUnsigned<wide::Dd> du;
