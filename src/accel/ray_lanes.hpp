@@ -43,7 +43,7 @@ struct RayGroup {
     for (std::size_t r = 0; r < kRegisters<L>; ++r) {
       const std::size_t i = first + r * L::kWidth;
       active[r] = L::first(i < n ? n - i : 0);
-      ray[r] = i < n ? load(i) : ray[0];
+      ray[r] = load(i < n ? i : first);
     }
   }
 };

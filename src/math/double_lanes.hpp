@@ -54,11 +54,23 @@ inline constexpr Dd dd{};
 struct DoubleLanes {
   hn::Vec<wide::Dd> v;
   DoubleLanes() = default;                                             // any values
+  ZRAKA_INLINE DoubleLanes(const DoubleLanes& other) : v(other.v) {}   // as FloatLanes
+  ZRAKA_INLINE DoubleLanes& operator=(const DoubleLanes& other) {
+    v = other.v;
+    return *this;
+  }
   ZRAKA_INLINE DoubleLanes(hn::Vec<wide::Dd> lanes) : v(lanes) {}      // NOLINT: implicit
   ZRAKA_INLINE DoubleLanes(double all) : v(hn::Set(wide::dd, all)) {}  // NOLINT: implicit
 };
 struct DoubleMask {
   hn::Mask<wide::Dd> v;
+  DoubleMask() = default;                                       // any values
+  ZRAKA_INLINE DoubleMask(hn::Mask<wide::Dd> lanes) : v(lanes) {}  // NOLINT: implicit
+  ZRAKA_INLINE DoubleMask(const DoubleMask& other) : v(other.v) {}
+  ZRAKA_INLINE DoubleMask& operator=(const DoubleMask& other) {
+    v = other.v;
+    return *this;
+  }
 };
 
 ZRAKA_INLINE DoubleLanes operator+(DoubleLanes a, DoubleLanes b) {

@@ -15,11 +15,19 @@ inline constexpr D d{};
 inline constexpr Di di{};
 }  // namespace wide
 
+// Lanes say themselves how they are copied: else compilers copy structs of them as bytes, sixteen at
+// a time through memory, and loads of whole registers wait until all of these have been stored.
+
 struct FloatLanes {
   hn::Vec<wide::D> v;
   FloatLanes() = default;                                           // any values
   ZRAKA_INLINE FloatLanes(hn::Vec<wide::D> lanes) : v(lanes) {}     // NOLINT: implicit on purpose
   ZRAKA_INLINE FloatLanes(float all) : v(hn::Set(wide::d, all)) {}  // NOLINT: implicit on purpose
+  ZRAKA_INLINE FloatLanes(const FloatLanes& other) : v(other.v) {}
+  ZRAKA_INLINE FloatLanes& operator=(const FloatLanes& other) {
+    v = other.v;
+    return *this;
+  }
 };
 struct IndexLanes {
   hn::Vec<wide::Di> v;
@@ -27,9 +35,21 @@ struct IndexLanes {
   ZRAKA_INLINE IndexLanes(hn::Vec<wide::Di> lanes) : v(lanes) {}  // NOLINT: implicit on purpose
   ZRAKA_INLINE IndexLanes(std::int32_t all)
       : v(hn::Set(wide::di, all)) {}  // NOLINT: implicit on purpose
+  ZRAKA_INLINE IndexLanes(const IndexLanes& other) : v(other.v) {}
+  ZRAKA_INLINE IndexLanes& operator=(const IndexLanes& other) {
+    v = other.v;
+    return *this;
+  }
 };
 struct MaskLanes {
   hn::Mask<wide::D> v;
+  MaskLanes() = default;                                          // any values
+  ZRAKA_INLINE MaskLanes(hn::Mask<wide::D> lanes) : v(lanes) {}  // NOLINT: implicit on purpose
+  ZRAKA_INLINE MaskLanes(const MaskLanes& other) : v(other.v) {}
+  ZRAKA_INLINE MaskLanes& operator=(const MaskLanes& other) {
+    v = other.v;
+    return *this;
+  }
 };
 
 ZRAKA_INLINE FloatLanes operator+(FloatLanes a, FloatLanes b) {
