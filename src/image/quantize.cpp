@@ -23,6 +23,12 @@ constexpr auto kLeastBits = std::bit_cast<std::uint32_t>(kLeast);
 constexpr int kLowBits = 23 - 7;  // 128 sums for each power of two
 constexpr std::uint32_t kLow = (1u << kLowBits) - 1;
 
+/// What is no number becomes the least.
+float clamped_to_stored(float value) {
+  const float at_least = value > kLeast ? value : kLeast;
+  return at_least < 1 ? at_least : 1.0f;
+}
+
 }  // namespace
 
 RowQuantizer::RowQuantizer(Transfer transfer, int bits) : transfer_(transfer), bits_(bits) {
@@ -47,6 +53,11 @@ RowQuantizer::RowQuantizer(Transfer transfer, int bits) : transfer_(transfer), b
   }
 }
 
+unsigned char RowQuantizer::stored(float value) const {
+  const std::uint32_t above = std::bit_cast<std::uint32_t>(value) - kLeastBits;
+  return static_cast<unsigned char>((sums_[above >> kLowBits] + (above & kLow)) >> kLowBits);
+}
+
 void RowQuantizer::row(const float* values, std::size_t count, unsigned char* out) const {
   if (bits_ == 8 && transfer_ == Transfer::linear) {  // the loop that the compiler can make wide
     for (std::size_t i = 0; i < count; ++i) {
@@ -57,12 +68,14 @@ void RowQuantizer::row(const float* values, std::size_t count, unsigned char* ou
     return;
   }
   if (bits_ == 8) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const float at_least = values[i] > kLeast ? values[i] : kLeast;
-      const float value = at_least < 1 ? at_least : 1.0f;
-      const std::uint32_t above = std::bit_cast<std::uint32_t>(value) - kLeastBits;
-      out[i] = static_cast<unsigned char>((sums_[above >> kLowBits] + (above & kLow)) >> kLowBits);
+    constexpr std::size_t kTogether = 32;
+    std::size_t i = 0;
+    for (; i + kTogether <= count; i += kTogether) {
+      float some[kTogether];
+      for (std::size_t k = 0; k < kTogether; ++k) some[k] = clamped_to_stored(values[i + k]);
+      for (std::size_t k = 0; k < kTogether; ++k) out[i + k] = stored(some[k]);
     }
+    for (; i < count; ++i) out[i] = stored(clamped_to_stored(values[i]));
     return;
   }
   for (std::size_t i = 0; i < count; ++i) {

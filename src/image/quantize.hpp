@@ -17,6 +17,8 @@ class RowQuantizer {
   void row(const float* values, std::size_t count, unsigned char* out) const;
 
  private:
+  unsigned char stored(float clamped_value) const;
+
   Transfer transfer_;
   int bits_;
   /// For 8 bits, by the leading bits of floats from 2^-13 to 1: what the least float of these is
