@@ -9,6 +9,7 @@
 #include <vector>
 #include <zraka/render.hpp>
 
+#include "core/large_pages.hpp"
 #include "core/phrase.hpp"
 #include "core/spread.hpp"
 #include "core/threads.hpp"
@@ -127,6 +128,15 @@ TileRect part_of(const RenderOptions& options, const Resolution& resolution) {
           static_cast<std::int32_t>(part.width), static_cast<std::int32_t>(part.height)};
 }
 
+Image black_image(std::uint32_t width, std::uint32_t height) {
+  Image image;
+  image.width = width, image.height = height;
+  const std::size_t values = std::size_t{3} * width * height;
+  reserve_large_pages(image.pixels, values);
+  image.pixels.resize(values, 0.0f);
+  return image;
+}
+
 /// Black, also where alpha says that nothing is.
 void draw_lines(const std::vector<bool>& lines, Rendering& rendering) {
   std::vector<float>* alpha = nullptr;
@@ -160,8 +170,8 @@ bool render_prepared(const Scene* scene, const PreparedScene<R>& prepared,
   if (tile_done && !all_at_once) job.tile_done = &tile_done;
   if (corners) ++job.part.width, ++job.part.height;
   // Not before: while a scene is frozen, memory is fullest.
-  rendering.image = Image(static_cast<std::uint32_t>(job.part.width),
-                          static_cast<std::uint32_t>(job.part.height));
+  rendering.image = black_image(static_cast<std::uint32_t>(job.part.width),
+                                static_cast<std::uint32_t>(job.part.height));
   const auto traced = std::chrono::steady_clock::now();
   bool complete = plain ? render_tiles(job, rendering) : render_samples(job, rendering);
   if (complete && corners) {
