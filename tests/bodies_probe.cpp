@@ -45,7 +45,7 @@ void cross_all(const double* numbers, const std::int32_t* start, const BodyProbe
                 direction = vector(&BodyProbeRay::direction);
     F at[kMost];
     const auto surface = [&](const auto& row) {
-      crossings<Shape, D>(row, origin, direction, false, at);
+      crossings<Shape, D>(row, origin, direction, Wanted::all, F(kNever), at);
       return surface_in_lanes<Shape, D>(row, origin, direction);
     };
     const auto hit = shared ? surface(SharedNumbers<D>{numbers + starts[0]})

@@ -82,16 +82,26 @@ struct NumbersAfter {
   const double* of(std::size_t lane) const { return row.of(lane) + kBodyNumbers; }
 };
 
-/// Crossings of a body of this type, whose numbers are `row`, as distances along the rays; with
-/// first_only, as BodyRay has it. A function of its own, for it is long: hits, surfaces and CSG
+/// Which crossings are asked for: all, or the first in front of the origin, or any that is nearer
+/// than the limit, too.
+enum class Wanted { all, first, any };
+
+/// Crossings of a body of this type, whose numbers are `row`, as distances along the rays; what is
+/// not wanted may be missing, as BodyRay has it. A function of its own, for it is long: hits, surfaces and CSG
 /// share it. It hands on no view of the rays: what is to be returned is kept in memory all along.
 template <class Shape, class D, class Row>
 __attribute__((noinline)) void crossings(const Row& row, const V3<typename D::F>& origin,
-                                         const V3<typename D::F>& direction, bool first_only,
-                                         typename D::F* at) {
+                                         const V3<typename D::F>& direction, Wanted wanted,
+                                         typename D::F limit, typename D::F* at) {
   using F = typename D::F;
   constexpr int kMost = BodyLanes<Shape, D>::kMost;
-  const BodyView<F> view = view_of(row, origin, direction, first_only);
+  BodyView<F> view = view_of(row, origin, direction, wanted != Wanted::all);
+  if constexpr (requires { BodyLanes<Shape, D>::kAsksForEnd; }) {
+    const F length = limit / view.unit;
+    view.ray.end = length - view.before;
+    view.ray.about = length * F(0x1p-20);
+    view.ray.any = wanted == Wanted::any;
+  }
   F found[kMost];
   BodyLanes<Shape, D>::cross(NumbersAfter<Row>{row}, view.ray, found);
   for (int k = 0; k < kMost; ++k) at[k] = view.distance(found[k]);
@@ -151,9 +161,10 @@ ZRAKA_INLINE void with_numbers(const FrozenShapes<typename L::Real, Body>& bodie
 /// The nearest hits of those lanes of a query, all of bodies of this type.
 template <class Shape, class L>
 void hit_bodies(const FrozenShapes<typename L::Real, Body>& bodies, BodyQuery<L>& query,
-                std::uint32_t lanes, bool /*any*/) {
+                std::uint32_t lanes, bool any) {
   using D = DoublesOf<L>;
   using F = typename D::F;
+  const Wanted wanted = any ? Wanted::any : Wanted::first;
   each_part<L>(lanes, [&](std::size_t c, std::uint32_t asked) {
     const V3<F> origin = load_doubles<L>(query.origin, c);
     const V3<F> direction = load_doubles<L>(query.direction, c);
@@ -162,7 +173,7 @@ void hit_bodies(const FrozenShapes<typename L::Real, Body>& bodies, BodyQuery<L>
         answer<L>(query, c, asked, distance_to_plane(row, origin, direction));
       } else {
         F at[BodyLanes<Shape, D>::kMost];
-        crossings<Shape, D>(row, origin, direction, true, at);
+        crossings<Shape, D>(row, origin, direction, wanted, D::load_reals(query.limit + c), at);
         answer<L>(query, c, asked, first_in_front(at));
       }
     });

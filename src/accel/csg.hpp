@@ -20,7 +20,7 @@ using CrossFunction = void (*)(const double* row, const V3<typename D::F>& origi
 template <class Shape, class D>
 void cross_shared(const double* row, const V3<typename D::F>& origin,
                   const V3<typename D::F>& direction, typename D::F* at) {
-  crossings<Shape, D>(SharedNumbers<D>{row}, origin, direction, false, at);
+  crossings<Shape, D>(SharedNumbers<D>{row}, origin, direction, Wanted::all, typename D::F(kNever), at);
 }
 
 /// What members of this type have; nothing where they cannot be members.

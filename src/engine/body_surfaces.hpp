@@ -139,7 +139,7 @@ ZRAKA_INLINE SurfaceInLanes<D> surface_in_lanes(const Row& row, const V3<typenam
             up * (F(1.0) / sqrt(dot(up, up))), way.y > F(0.0)};
   } else {
     F at[BodyLanes<Shape, D>::kMost];
-    crossings<Shape, D>(row, origin, direction, true, at);
+    crossings<Shape, D>(row, origin, direction, Wanted::first, F(kNever), at);
     const BodyView<F> view = view_of(row, origin, direction, true);
     const F t = first_in_front(at);
     const V3<F> normal = normal_at<Shape, D>(row, view, t);

@@ -54,6 +54,8 @@ struct BodySurface {
 #ifdef ZRAKA_ISA
 namespace ZRAKA_ISA {
 
+inline constexpr double kNever = __builtin_huge_val();
+
 /// A ray in a body's own space: a unit direction, and as its origin the point of the ray that is
 /// nearest to the body's middle.
 template <class F>
@@ -61,9 +63,11 @@ struct BodyRay {
   V3<F> origin, direction;
   F begin;          ///< where along it the ray itself begins
   bool first_only;  ///< no crossing counts but the first after `begin`
+  /// Where it may end, known only so roughly: of bodies with kAsksForEnd. With first_only, no
+  /// crossing counts after it, and with `any` one between its ends is as good as another.
+  F end{kNever}, about{0.0};
+  bool any = false;
 };
-
-inline constexpr double kNever = __builtin_huge_val();
 
 /// Specialised by each body, over double lanes D, with
 ///   kMost                        how many crossings a ray may have with it at most, 1 or more

@@ -121,6 +121,7 @@ struct BodyLanes<Torus, D> {
   using F = typename D::F;
   using M = typename D::M;
   static constexpr int kMost = 4;
+  static constexpr bool kAsksForEnd = true;
 
   template <class Numbers>
   static ZRAKA_INLINE void cross(const Numbers& numbers, const BodyRay<F>& ray, F (&at)[kMost]) {
@@ -133,45 +134,25 @@ struct BodyLanes<Torus, D> {
     Span<F> span{-end, end};
     clip(span, ray.origin.y, ray.direction.y, torus.tube);
     auto near = both(chord >= F(0.0), span.in <= span.out);
-    if (ray.first_only) near = both(near, span.out >= ray.begin);
+    if (ray.first_only)
+      near = both(near, both(span.out >= ray.begin, span.in <= ray.end + ray.about));
     if (!any(near)) return;
+    if (ray.first_only) return cross_first(torus, ray, span, near, at);
 
-    // What is behind where a ray begins need not be found if the first crossing alone counts.
-    M inside[5];
-    inside[0] = inside[4] = F(0.0) > F(0.0);
-    if (ray.first_only) {
-      const auto later = ray.begin > span.in;
-      span.in = select(later, ray.begin, span.in);
-      inside[0] = both(later, torus.place(span.in).value <= F(0.0));
-    }
     F turns[5] = {span.in, F(0.0), F(0.0), F(0.0), span.out};
     find_turns(torus, near, turns);
-    F reaches[5] = {F(0.0), F(0.0), F(0.0), F(0.0), F(0.0)};
-    for (int k = 1; k < 4; ++k) {
-      turns[k] = min(max(turns[k], span.in), span.out);
-      const auto there = torus.place(turns[k]);
-      inside[k] = there.value <= F(0.0);
-      reaches[k] = torus.reach_of(turns[k], there);
+    const M outside = but_not(near, near);
+    Turn before{span.in, F(0.0), F(0.0), outside};
+    Part parts[4];
+    for (int k = 0; k < 4; ++k) {
+      const Turn next = k == 3 ? Turn{span.out, F(0.0), F(0.0), outside}
+                               : turn_at(torus, min(max(turns[k + 1], span.in), span.out));
+      parts[k] = part_between(before, next, near);
+      before = next;
     }
-    const Part none{F(0.0), F(0.0), F(0.0), near, but_not(near, near)};
-    if (ray.first_only) {
-      Part first = none;
-      for (int k = 3; k >= 0; --k) {
-        const Part part = part_of(k, turns, reaches, inside, near);
-        first = {select(part.crossed, part.a, first.a), select(part.crossed, part.b, first.b),
-                 select(part.crossed, part.guess, first.guess),
-                 select(part.crossed, part.falls, first.falls), either(part.crossed, first.crossed)};
-      }
-      if (!any(first.crossed)) return;
-      const F zero = first.zero(torus);
-      at[0] = select(first.crossed, select(first.falls, zero, F(-kNever)), F(kNever));
-      at[1] = select(but_not(first.crossed, first.falls), zero, F(kNever));
-      return;
-    }
-    for (int k = 3; k >= 0; --k) {
-      const Part part = part_of(k, turns, reaches, inside, near);
-      if (any(part.crossed)) put_first(part.crossed, part.zero(torus), at);
-    }
+    for (int k = 3; k >= 0; --k)
+      if (any(parts[k].crossed))
+        put_first(parts[k].crossed, parts[k].zero(torus, parts[k].crossed), at);
   }
 
   template <class Numbers>
@@ -183,21 +164,67 @@ struct BodyLanes<Torus, D> {
   }
 
  private:
-  /// What is between two turns, and whether the surface is crossed there.
+  /// Where the polynomial turns, or the span begins or ends: what it is there.
+  struct Turn {
+    F t, value, around;
+    M inside;
+  };
+  static ZRAKA_INLINE Turn turn_at(const TorusRay<F>& torus, F t) {
+    const auto there = torus.place(t);
+    return {t, there.value, there.around, there.value <= F(0.0)};
+  }
+
+  /// What is between two turns, and whether the surface is crossed there; where it is, it is
+  /// looked for from the turn that is inside.
   struct Part {
-    F a, b, guess;
+    F a, b;
+    Turn from;
     M falls, crossed;
 
-    ZRAKA_INLINE F zero(const TorusRay<F>& torus) const {
-      return zero_in(Bracket<F, M>{a, b, falls}, crossed, [&](F t) { return torus.at(t); }, guess);
+    ZRAKA_INLINE F zero(const TorusRay<F>& torus, M wanted) const {
+      const F reach = torus.reach_of(from.t, {from.value, from.around});
+      const F guess = select(falls, from.t - reach, from.t + reach);
+      return zero_in(Bracket<F, M>{a, b, falls}, wanted, [&](F t) { return torus.at(t); }, guess);
     }
   };
-  static ZRAKA_INLINE Part part_of(int k, const F (&turns)[5], const F (&reaches)[5],
-                                   const M (&inside)[5], M near) {
-    const auto falls = but_not(inside[k + 1], inside[k]),
-               rises = but_not(inside[k], inside[k + 1]);
-    const F guess = select(falls, turns[k + 1] - reaches[k + 1], turns[k] + reaches[k]);
-    return {turns[k], turns[k + 1], guess, falls, both(near, either(falls, rises))};
+  static ZRAKA_INLINE Part part_between(const Turn& a, const Turn& b, M wanted) {
+    const auto falls = but_not(b.inside, a.inside), rises = but_not(a.inside, b.inside);
+    return {a.t, b.t, select_turn(falls, b, a), falls, both(wanted, either(falls, rises))};
+  }
+  static ZRAKA_INLINE Turn select_turn(M m, const Turn& a, const Turn& b) {
+    return {select(m, a.t, b.t), select(m, a.value, b.value), select(m, a.around, b.around),
+            select(m, a.inside, b.inside)};
+  }
+
+  /// The first crossing in a span alone: what is behind where the ray begins need not be found, nor
+  /// what comes after the first.
+  static ZRAKA_INLINE void cross_first(const TorusRay<F>& torus, const BodyRay<F>& ray,
+                                       const Span<F>& whole, M near, F (&at)[kMost]) {
+    const M outside = but_not(near, near), later = ray.begin > whole.in;
+    const Span<F> span{select(later, ray.begin, whole.in), whole.out};
+    Turn before{span.in, F(0.0), F(0.0), both(later, torus.place(span.in).value <= F(0.0))};
+    F turns[5] = {span.in, F(0.0), F(0.0), F(0.0), span.out};
+    find_turns(torus, near, turns);
+    Part first{span.in, span.out, before, outside, outside};
+    M open = near;  // where none has been found yet
+    for (int k = 0; k < 4 && any(open); ++k) {
+      const Turn next = k == 3 ? Turn{span.out, F(0.0), F(0.0), outside}
+                               : turn_at(torus, min(max(turns[k + 1], span.in), span.out));
+      const Part part = part_between(before, next, open);
+      first = {select(part.crossed, part.a, first.a), select(part.crossed, part.b, first.b),
+               select_turn(part.crossed, part.from, first.from),
+               select(part.crossed, part.falls, first.falls), either(part.crossed, first.crossed)};
+      open = but_not(open, part.crossed);
+      before = next;
+    }
+    first.crossed = both(first.crossed, first.a <= ray.end + ray.about);
+    if (!any(first.crossed)) return;
+    M wanted = first.crossed;
+    if (ray.any)
+      wanted = but_not(wanted, both(first.a > ray.begin, first.b < ray.end - ray.about));
+    const F zero = first.zero(torus, wanted);
+    at[0] = select(first.crossed, select(first.falls, zero, F(-kNever)), F(kNever));
+    at[1] = select(but_not(first.crossed, first.falls), zero, F(kNever));
   }
 
   /// Sets turns[1…3] to the zeros of the derivative, ascending: of t³ + p·t + q with p = a/2 and
