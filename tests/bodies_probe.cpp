@@ -17,6 +17,25 @@ using D = ScalarDoubles;
 #endif
 using F = D::F;
 
+/// As BodyCrossings has it, where it is 1.
+template <class Shape, class Row>
+F limits_kept(const Row& row, const V3<F>& origin, const V3<F>& direction) {
+  const auto asked = [&](Wanted wanted, F limit) {
+    F at[BodyLanes<Shape, D>::kMost];
+    crossings<Shape, D>(row, origin, direction, wanted, limit, at);
+    return first_in_front(at);
+  };
+  const F first = asked(Wanted::first, F(kNever));
+  const auto there = first < F(kNever);
+  const F more = select(there, first * F(1.001), F(0x1p20)), less = first * F(0.999);
+  const F near = asked(Wanted::first, more), any = asked(Wanted::any, more);
+  const auto found = both(both(near == first, any < more), there);
+  const auto none = but_not(but_not(near >= more, any < more), there);
+  const auto none_before =
+      both(asked(Wanted::first, less) >= less, asked(Wanted::any, less) >= less);
+  return select(both(either(found, none), none_before), F(1.0), F(0.0));
+}
+
 template <class Shape>
 void cross_all(const double* numbers, const std::int32_t* start, const BodyProbeRay* rays,
                BodyCrossings* found, std::size_t count) {
@@ -59,6 +78,9 @@ void cross_all(const double* numbers, const std::int32_t* start, const BodyProbe
     store(hit.normal.x, [](BodyCrossings& c, double n) { c.normal[0] = n; });
     store(hit.normal.y, [](BodyCrossings& c, double n) { c.normal[1] = n; });
     store(hit.normal.z, [](BodyCrossings& c, double n) { c.normal[2] = n; });
+    store(shared ? limits_kept<Shape>(SharedNumbers<D>{numbers + starts[0]}, origin, direction)
+                 : limits_kept<Shape>(OwnNumbers<D>{numbers, starts}, origin, direction),
+          [](BodyCrossings& c, double kept) { c.keeps_limits = kept > 0; });
     store(select(hit.inside, F(1.0), F(0.0)),
           [](BodyCrossings& c, double inside) { c.inside = inside > 0; });
     for (int k = 0; k < kProbedCrossings; ++k) {

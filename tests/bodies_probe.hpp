@@ -22,6 +22,9 @@ struct BodyCrossings {
   /// is none, the unit normal, and whether the ray comes from inside.
   double first, normal[3];
   bool inside;
+  /// Whether a ray that looks a bit farther than its first crossing finds that, or any before its
+  /// limit where any will do; and one that looks less far none.
+  bool keeps_limits;
 };
 
 struct BodiesProbe {

@@ -203,6 +203,7 @@ TYPED_TEST(Bodies, AreHitAtTheFirstCrossingWithTheNormalOfTheirSurface) {
         });
       };
       if (beside(want) || beside(0)) continue;
+      ASSERT_TRUE(c.keeps_limits) << to_string(rays[i]) << " at " << c.first;
       if (!(want < HUGE_VAL)) {
         ASSERT_EQ(c.first, HUGE_VAL) << to_string(rays[i]);
         continue;
