@@ -87,8 +87,9 @@ struct NumbersAfter {
 enum class Wanted { all, first, any };
 
 /// Crossings of a body of this type, whose numbers are `row`, as distances along the rays; what is
-/// not wanted may be missing, as BodyRay has it. A function of its own, for it is long: hits, surfaces and CSG
-/// share it. It hands on no view of the rays: what is to be returned is kept in memory all along.
+/// not wanted may be missing, as BodyRay has it. A function of its own, for it is long: hits,
+/// surfaces and CSG share it. It hands on no view of the rays: what is to be returned is kept in
+/// memory all along.
 template <class Shape, class D, class Row>
 __attribute__((noinline)) void crossings(const Row& row, const V3<typename D::F>& origin,
                                          const V3<typename D::F>& direction, Wanted wanted,

@@ -20,7 +20,8 @@ using CrossFunction = void (*)(const double* row, const V3<typename D::F>& origi
 template <class Shape, class D>
 void cross_shared(const double* row, const V3<typename D::F>& origin,
                   const V3<typename D::F>& direction, typename D::F* at) {
-  crossings<Shape, D>(SharedNumbers<D>{row}, origin, direction, Wanted::all, typename D::F(kNever), at);
+  crossings<Shape, D>(SharedNumbers<D>{row}, origin, direction, Wanted::all, typename D::F(kNever),
+                      at);
 }
 
 /// What members of this type have; nothing where they cannot be members.
@@ -59,8 +60,8 @@ class CsgWay {
 
   /// Of the lanes that are asked for, as far as `limit`. With `whole_alone`, members that no ray
   /// goes through before it and that the whole needs spare the others.
-  CsgWay(const FrozenBodies& bodies, std::int32_t body, const V3<F>& origin,
-         const V3<F>& direction, M asked, F limit, bool whole_alone)
+  CsgWay(const FrozenBodies& bodies, std::int32_t body, const V3<F>& origin, const V3<F>& direction,
+         M asked, F limit, bool whole_alone)
       : csg_{bodies.numbers + bodies.start[body]}, asked_(asked), limit_(limit) {
     const bool by_table = csg_.has_table();
     int used = 0;
@@ -102,9 +103,12 @@ class CsgWay {
       return first_change(crossing_count(), is_inside(F(0.0)), is_inside);
     }
     switch (crossing_count()) {  // mostly so few that no loop is needed
-      case 4: return first_change_by_table(std::integral_constant<int, 4>{});
-      case 6: return first_change_by_table(std::integral_constant<int, 6>{});
-      default: return first_change_by_table(crossing_count());
+      case 4:
+        return first_change_by_table(std::integral_constant<int, 4>{});
+      case 6:
+        return first_change_by_table(std::integral_constant<int, 6>{});
+      default:
+        return first_change_by_table(crossing_count());
     }
   }
 
@@ -132,8 +136,7 @@ class CsgWay {
   template <class Count>
   ZRAKA_INLINE F next_of(Count count, F t) const {
     F nearest(kNever);
-    for (int k = 0; k < count; ++k)
-      nearest = min(select(at_[k] > t, at_[k], F(kNever)), nearest);
+    for (int k = 0; k < count; ++k) nearest = min(select(at_[k] > t, at_[k], F(kNever)), nearest);
     return nearest;
   }
 
@@ -193,7 +196,7 @@ class CsgWay {
   bool misses_ = false;  ///< all of the rays, the whole
   int first_[kMostCsgCrossings + 1];
   F at_[kMostCsgCrossings];
-  std::uint64_t bit_[kMostCsgCrossings / 2];  ///< of a pair of crossings' member, where there is a table
+  std::uint64_t bit_[kMostCsgCrossings / 2];  ///< a pair's member, where there is a table
 };
 
 }  // namespace zraka::ZRAKA_ISA

@@ -173,7 +173,8 @@ ZRAKA_INLINE void surfaces_of_plane(const double* numbers, const V3<typename L::
   F most[kParts];
   widen(max(abs(out.point.x), max(abs(out.point.y), abs(out.point.z))), most);
   for (std::size_t i = 0; i < kParts; ++i)
-    most[i] = most[i] * F(kBodyOffset<typename L::Real>) + unit[i] * F(kOwnOffset<typename L::Real>);
+    most[i] =
+        most[i] * F(kBodyOffset<typename L::Real>) + unit[i] * F(kOwnOffset<typename L::Real>);
   out.offset = narrow(most);
 }
 

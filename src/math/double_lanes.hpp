@@ -64,7 +64,7 @@ struct DoubleLanes {
 };
 struct DoubleMask {
   hn::Mask<wide::Dd> v;
-  DoubleMask() = default;                                       // any values
+  DoubleMask() = default;                                          // any values
   ZRAKA_INLINE DoubleMask(hn::Mask<wide::Dd> lanes) : v(lanes) {}  // NOLINT: implicit
   ZRAKA_INLINE DoubleMask(const DoubleMask& other) : v(other.v) {}
   ZRAKA_INLINE DoubleMask& operator=(const DoubleMask& other) {

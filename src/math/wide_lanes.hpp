@@ -15,8 +15,8 @@ inline constexpr D d{};
 inline constexpr Di di{};
 }  // namespace wide
 
-// Lanes say themselves how they are copied: else compilers copy structs of them as bytes, sixteen at
-// a time through memory, and loads of whole registers wait until all of these have been stored.
+// Lanes say themselves how they are copied: else compilers copy structs of them as bytes, sixteen
+// at a time through memory, and loads of whole registers wait until all of these have been stored.
 
 struct FloatLanes {
   hn::Vec<wide::D> v;
@@ -43,7 +43,7 @@ struct IndexLanes {
 };
 struct MaskLanes {
   hn::Mask<wide::D> v;
-  MaskLanes() = default;                                          // any values
+  MaskLanes() = default;                                         // any values
   ZRAKA_INLINE MaskLanes(hn::Mask<wide::D> lanes) : v(lanes) {}  // NOLINT: implicit on purpose
   ZRAKA_INLINE MaskLanes(const MaskLanes& other) : v(other.v) {}
   ZRAKA_INLINE MaskLanes& operator=(const MaskLanes& other) {

@@ -63,8 +63,8 @@ struct BodyRay {
   V3<F> origin, direction;
   F begin;          ///< where along it the ray itself begins
   bool first_only;  ///< no crossing counts but the first after `begin`
-  /// Where it may end, known only so roughly: of bodies with kAsksForEnd. With first_only, no
-  /// crossing counts after it, and with `any` one between its ends is as good as another.
+  /// Where it ends, give or take `about`; of bodies with kAsksForEnd. With first_only no crossing
+  /// counts after it, and with `any` one between begin and end is as good as another.
   F end{kNever}, about{0.0};
   bool any = false;
 };
@@ -78,6 +78,7 @@ struct BodyRay {
 ///                                inside forever. With ray.first_only all but the first
 ///                                after ray.begin may be left out, or be anywhere as long as
 ///                                they stay on their side of it; that one keeps its parity
+///   kAsksForEnd                  where it spares work to know ray.end, ray.about and ray.any
 ///   normal(numbers, p)           where it can be told in lanes: the normal that surface() gives
 ///                                a point, of the same bits
 /// where numbers(k) is the number k of its Placement in lanes.

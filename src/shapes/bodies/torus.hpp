@@ -184,7 +184,8 @@ struct BodyLanes<Torus, D> {
     ZRAKA_INLINE F zero(const TorusRay<F>& torus, M wanted) const {
       const F reach = torus.reach_of(from.t, {from.value, from.around});
       const F guess = select(falls, from.t - reach, from.t + reach);
-      return zero_in(Bracket<F, M>{a, b, falls}, wanted, [&](F t) { return torus.at(t); }, guess);
+      return zero_in(
+          Bracket<F, M>{a, b, falls}, wanted, [&](F t) { return torus.at(t); }, guess);
     }
   };
   static ZRAKA_INLINE Part part_between(const Turn& a, const Turn& b, M wanted) {
@@ -220,8 +221,7 @@ struct BodyLanes<Torus, D> {
     first.crossed = both(first.crossed, first.a <= ray.end + ray.about);
     if (!any(first.crossed)) return;
     M wanted = first.crossed;
-    if (ray.any)
-      wanted = but_not(wanted, both(first.a > ray.begin, first.b < ray.end - ray.about));
+    if (ray.any) wanted = but_not(wanted, both(first.a > ray.begin, first.b < ray.end - ray.about));
     const F zero = first.zero(torus, wanted);
     at[0] = select(first.crossed, select(first.falls, zero, F(-kNever)), F(kNever));
     at[1] = select(but_not(first.crossed, first.falls), zero, F(kNever));
