@@ -2,6 +2,7 @@
 #include "lanes_probe.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <random>
 #include <utility>
@@ -73,6 +74,54 @@ void sphere(const float* origins, const float* directions, const float* spheres,
     for (std::size_t k = 0; k < kReals; ++k) shape[k] = pick(frozen.data(), kReals, k, i, count);
     put(ShapeLanes<Sphere, L>::intersect(shape, vector(origins), vector(directions)), t, i, count);
   }
+}
+
+/// Rays past, onto, out of and into spheres, by hairs, too: limits end before, behind, and by a few
+/// units in the last place at the hits.
+std::size_t wrong_blocks(unsigned seed) {
+  using R = L::Real;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::uniform_int_distribution<int> kind(0, 3), exponent(0, 24);
+  const auto tiny = [&] { return uniform(random) * std::ldexp(1.0, -exponent(random)); };
+  std::size_t wrong = 0;
+  for (int round = 0; round < 4000; ++round) {
+    R numbers[4][L::kWidth], from[3][L::kWidth], way[3][L::kWidth];
+    for (std::size_t i = 0; i < L::kWidth; ++i) {
+      const double r = std::fabs(tiny()) + 1e-6, away = kind(random) * r * std::exp(2 * tiny());
+      double d[3], side[3];
+      for (int k = 0; k < 3; ++k) d[k] = uniform(random), side[k] = uniform(random);
+      const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+      const double along = (side[0] * d[0] + side[1] * d[1] + side[2] * d[2]) / (length * length);
+      double across = 0;
+      for (int k = 0; k < 3; ++k) side[k] -= along * d[k], across += side[k] * side[k];
+      // Anywhere, or a hair beside where it grazes.
+      const double beside = kind(random) == 0 ? std::fabs(uniform(random)) : 1 + tiny();
+      for (std::size_t k = 0; k < 3; ++k) {
+        numbers[k][i] = static_cast<R>(uniform(random));
+        way[k][i] = static_cast<R>(d[k] / length);
+        from[k][i] = static_cast<R>(static_cast<double>(numbers[k][i]) - d[k] / length * away +
+                                    side[k] / std::sqrt(across) * r * beside);
+      }
+      numbers[3][i] = static_cast<R>(r);
+    }
+    F shape[4];
+    for (std::size_t k = 0; k < 4; ++k) shape[k] = L::load(numbers[k]);
+    const V3<F> origin{L::load(from[0]), L::load(from[1]), L::load(from[2])};
+    const V3<F> direction{L::load(way[0]), L::load(way[1]), L::load(way[2])};
+    const F hit = ShapeLanes<Sphere, L>::intersect(shape, origin, direction);
+    // From there, and from where that is.
+    for (const F& start : {F(0), select(hit > F(0), hit, F(0))}) {
+      const V3<F> here = origin + direction * start;
+      const F t = ShapeLanes<Sphere, L>::intersect(shape, here, direction);
+      for (const F& limit : {F(0x1p+100f), t, t * F(1 + 0x1p-23f), t * F(0.999f), F(-1)}) {
+        const auto expected = both(t > F(0), t < limit);
+        const auto found = blocks<Sphere, L>(shape, here, direction, limit);
+        wrong += count(either(but_not(expected, found), but_not(found, expected)));
+      }
+    }
+  }
+  return wrong;
 }
 
 void gather_four(const float* from, const std::int32_t* at, float (*out)[4], std::size_t count) {
@@ -258,7 +307,7 @@ void surfaces(const FrozenScene<float>* floats, const FrozenScene<double>* doubl
 
 LanesProbe probe();
 LanesProbe probe() {
-  return {{},          L::kWidth,   power_of,   double_power_of, sphere,
+  return {{},          L::kWidth,   power_of,   double_power_of, sphere,  wrong_blocks,
           gather_four, wrong_pairs, stack_fits, trace,           surfaces};
 }
 

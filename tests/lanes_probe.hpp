@@ -37,6 +37,9 @@ struct LanesProbe {
   /// Rays of origin and direction (3 numbers each) against one sphere each (4 numbers); distances.
   void (*sphere)(const float* origins, const float* directions, const float* spheres, float* t,
                  std::size_t count);
+  /// How many rays past, onto, out of and into spheres are said to be blocked, or not, other than by
+  /// where they hit.
+  std::size_t (*wrong_blocks)(unsigned seed);
   /// The four numbers from each place of an array on; places are multiples of four.
   void (*gather_four)(const float* from, const std::int32_t* at, float (*out)[4],
                       std::size_t count);

@@ -140,6 +140,12 @@ TEST(Lanes, GatherFourNumbersFromEachPlace) {
   }
 }
 
+TEST(SphereInLanes, BlocksWhatHitsIt) {
+  for (const LanesProbe& probe : lanes_probes())
+    for (unsigned seed = 0; seed < 3; ++seed)
+      EXPECT_EQ(probe.wrong_blocks(seed), 0u) << "seed " << seed << " by " << name_of(probe.isa);
+}
+
 TEST(Pairs, ComeOutInTheirTurn) {
   for (const LanesProbe& probe : lanes_probes())
     for (unsigned seed = 0; seed < 5; ++seed)

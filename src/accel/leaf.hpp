@@ -205,6 +205,78 @@ ZRAKA_INLINE std::uint32_t blocked_by_pairs(const FrozenScene<R>& scene, const B
   return blocked;
 }
 
+/// Which of the rays hit some of the shapes of a leaf nearer than their t: rays in lanes, a shape
+/// after the other.
+template <class L, class Shape, class R = typename L::Real>
+ZRAKA_INLINE std::uint32_t blocked_by_each_shape(const FrozenScene<R>& scene,
+                                                 const FrozenShapes<R, Shape>& shapes,
+                                                 std::int32_t first, std::int32_t count,
+                                                 std::uint32_t rays, const RayGroup<L>& group) {
+  std::uint32_t blocked_rays = 0;
+  for (std::size_t r = 0; r < kRegisters<L>; ++r) {
+    if (in_register<L>(rays, r) == 0) continue;
+    const RayLanes<L>& ray = group.ray[r];
+    typename L::M blocked = L::first(0);
+    for (std::int32_t i = first; i < first + count; ++i) {
+      if (is_shadowless(scene, shapes, i)) continue;
+      NumbersOf<Shape, L> shape;
+      broadcast_shape<L>(shapes, i, shape);
+      blocked = either(blocked, blocks<Shape, L>(shape, ray.origin, ray.direction, ray.t));
+    }
+    blocked_rays |= group_bits<L>(blocked, r);
+  }
+  return blocked_rays & rays;
+}
+
+/// The same with shapes in lanes, a ray after the other. Who is blocked by the first register of
+/// shapes asks no more; what each ray hits cannot be foreseen, so that nothing branches on it.
+template <class L, class Shape, class R = typename L::Real>
+ZRAKA_INLINE std::uint32_t blocked_ray_by_ray(const FrozenScene<R>& scene,
+                                              const FrozenShapes<R, Shape>& shapes,
+                                              std::int32_t first, std::int32_t count,
+                                              std::uint32_t rays, const Bundle<L>& bundle,
+                                              const R* t) {
+  using F = typename L::F;
+  std::uint32_t blocked = 0;
+  for (std::int32_t k = 0; k < count && rays != 0; k += static_cast<std::int32_t>(L::kWidth)) {
+    const auto exists = L::first(static_cast<std::size_t>(count - k));
+    NumbersOf<Shape, L> shape;
+    load_shapes<L>(shapes, first + k, shape);
+    for (std::uint32_t left = rays; left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+      const auto hit = both(exists, blocks<Shape, L>(shape, bundle.origin(i), bundle.direction(i),
+                                                     select(exists, F(t[i]), F(-1))));
+      const std::uint32_t by =
+          that_throw_shadows(scene, shapes, bits(hit), [&](int lane) { return first + k + lane; });
+      blocked |= static_cast<std::uint32_t>(by != 0) << i;
+    }
+    rays &= ~blocked;
+  }
+  return blocked;
+}
+
+/// Spheres, which know without a distance what they block, each ray or each shape after the other,
+/// whichever takes fewer tests.
+template <class L, class R = typename L::Real>
+ZRAKA_INLINE std::uint32_t blocked_in_leaf_of_spheres(const FrozenScene<R>& scene,
+                                                      const Bundle<L>& bundle,
+                                                      const BundleEntry<R>& entry,
+                                                      std::uint32_t rays, const RayGroup<L>& group,
+                                                      const R* t) {
+  const std::int32_t first = entry.child, count = leaf_count(entry.leaf);
+  std::uint32_t one_by_one = 0;
+  for (std::size_t r = 0; r < kRegisters<L>; ++r)
+    if (const std::uint32_t mine = in_register<L>(rays, r); shapes_in_lanes<L>(mine, entry.leaf))
+      one_by_one |= mine;
+  std::uint32_t blocked = 0;
+  if (rays != one_by_one)
+    blocked = blocked_by_each_shape<L>(scene, scene.spheres, first, count, rays & ~one_by_one,
+                                       group);
+  if (one_by_one != 0)
+    blocked |= blocked_ray_by_ray<L>(scene, scene.spheres, first, count, one_by_one, bundle, t);
+  return blocked;
+}
+
 /// Which of the rays hit a shape of the entry's leaf nearer than their t; `t` has the same as the
 /// group.
 template <class L, class R = typename L::Real>
@@ -212,6 +284,12 @@ ZRAKA_INLINE std::uint32_t blocked_in_leaf(const FrozenScene<R>& scene, const Bu
                                            const BundleEntry<R>& entry, std::uint32_t rays,
                                            const RayGroup<L>& group, const R* t,
                                            LastBlocker& last) {
+  if (leaf_kind(entry.leaf) == kKindOfSphere) {
+    const std::uint32_t blocked =
+        blocked_in_leaf_of_spheres<L>(scene, bundle, entry, rays, group, t);
+    if (blocked != 0) last = {entry.child, entry.leaf};
+    return blocked;
+  }
   using F = typename L::F;
   std::uint32_t blocked_rays = 0, one_by_one = 0;
   for (std::size_t r = 0; r < kRegisters<L>; ++r) {

@@ -155,6 +155,19 @@ ZRAKA_INLINE typename L::F intersect_shape(const NumbersOf<Shape, L>& shape,
     return ShapeLanes<Shape, L>::intersect(shape, origin, direction);
 }
 
+/// Which rays hit a shape nearer than their limits, and beyond 0. By what intersect_shape() finds,
+/// or by what a shape knows of that without finding it.
+template <class Shape, class L>
+ZRAKA_INLINE typename L::M blocks(const NumbersOf<Shape, L>& shape, const V3<typename L::F>& origin,
+                                  const V3<typename L::F>& direction, typename L::F limit) {
+  if constexpr (requires { ShapeLanes<Shape, L>::blocks(shape, origin, direction, limit); }) {
+    return ShapeLanes<Shape, L>::blocks(shape, origin, direction, limit);
+  } else {
+    const auto t = intersect_shape<true, Shape, L>(shape, origin, direction, limit);
+    return both(t > typename L::F(0), t < limit);
+  }
+}
+
 /// Rays in lanes hit one shape at these distances, or not at all; a nearer hit, or an equal one of
 /// a lower id, replaces theirs.
 template <class L, class Shape>
