@@ -18,10 +18,9 @@ struct FilmSample {
   bool hits = false;      ///< a shape
 };
 
-/// What samples of one pixel bring, one after the other.
+/// The colours of samples of one pixel, one after the other.
 struct FilmRun {
-  const float* color[3];
-  const std::uint8_t* hits;
+  const float *r, *g, *b;
   std::size_t count;
 };
 
@@ -40,15 +39,17 @@ class FilmPixel {
     if (sample.hits) ++(sample.negative ? negative_hits_ : positive_hits_);
   }
 
-  /// Samples that all count above 0, and of which it does not matter how far they differ.
+  /// Samples that all count above 0, and of which it matters neither how far they differ nor what
+  /// they hit. Side by side, for each sum waits for the one before it.
   void add(const FilmRun& run) {
-    for (int c = 0; c < 3; ++c) {
-      double sum = positive_[c];
-      for (std::size_t i = 0; i < run.count; ++i) sum += static_cast<double>(run.color[c][i]);
-      positive_[c] = sum;
+    double r = positive_[0], g = positive_[1], b = positive_[2];
+    for (std::size_t i = 0; i < run.count; ++i) {
+      r += static_cast<double>(run.r[i]);
+      g += static_cast<double>(run.g[i]);
+      b += static_cast<double>(run.b[i]);
     }
+    positive_[0] = r, positive_[1] = g, positive_[2] = b;
     positive_count_ += static_cast<std::uint32_t>(run.count);
-    for (std::size_t i = 0; i < run.count; ++i) positive_hits_ += run.hits[i];
   }
 
   /// How much of the pixel shapes cover, by the filter: 0…1.

@@ -83,9 +83,11 @@ class SampleTracer {
 
  private:
   void give_all(const Level<R>& level) {
-    std::fill_n(hits_.begin(), count_, std::uint8_t{0});
-    for (std::int32_t h = 0; h < level.hit_count; ++h)
-      hits_[static_cast<std::size_t>(level.hits.ray[h])] = 1;
+    if (!adds_plainly_) {
+      std::fill_n(hits_.begin(), count_, std::uint8_t{0});
+      for (std::int32_t h = 0; h < level.hit_count; ++h)
+        hits_[static_cast<std::size_t>(level.hits.ray[h])] = 1;
+    }
     std::int32_t first = 0;
     for (const Run& run : runs_) {
       give(level, static_cast<std::size_t>(first), static_cast<std::size_t>(run.end), *run.pixel);
@@ -133,8 +135,7 @@ class SampleTracer {
   void give(const Level<R>& level, std::size_t first, std::size_t end, FilmPixel& pixel) const {
     if constexpr (std::is_same_v<R, float>)
       if (adds_plainly_)
-        return pixel.add(FilmRun{{level.rays.r + first, level.rays.g + first, level.rays.b + first},
-                                 hits_.data() + first,
+        return pixel.add(FilmRun{level.rays.r + first, level.rays.g + first, level.rays.b + first,
                                  end - first});
     for (std::size_t i = first; i < end; ++i) {
       FilmSample sample{{static_cast<float>(level.rays.r[i]), static_cast<float>(level.rays.g[i]),
@@ -159,7 +160,8 @@ class SampleTracer {
   std::vector<float*> only_;  ///< or, of samples that are their pixels' only ones, these
   std::vector<std::uint8_t> hits_;
   std::int32_t count_ = 0;
-  const bool adds_plainly_ = job_.options.sampling.kind != Sampling::Kind::adaptive &&
+  const bool adds_plainly_ = std::is_same_v<R, float> &&
+                             job_.options.sampling.kind != Sampling::Kind::adaptive &&
                              job_.options.sampling.filter != PixelFilter::mitchell &&
                              !job_.options.transparent;
 };

@@ -88,21 +88,37 @@ void SampleRays<R>::put_cone(const PicturePoint& point, const CameraRay& ray,
   rays.travelled[index] = R(0);
 }
 
+namespace {
+
+/// Puts a value, or numbers from it on, into `count` places and more: kArrayPadding at a time, which
+/// takes less than to stop where they end. What comes next is put there afterwards.
+template <class T>
+void fill_on(T* to, std::uint32_t count, T value) {
+  for (std::uint32_t s = 0; s < count; s += kArrayPadding)
+    for (std::uint32_t k = 0; k < kArrayPadding; ++k) to[s + k] = value;
+}
+void count_on(std::uint32_t* to, std::uint32_t count, std::uint32_t first) {
+  for (std::uint32_t s = 0; s < count; s += kArrayPadding)
+    for (std::uint32_t k = 0; k < kArrayPadding; ++k) to[s + k] = first + s + k;
+}
+
+}  // namespace
+
 template <class R>
 void SampleRays<R>::add(std::int32_t x, std::int32_t y, std::uint32_t first, std::uint32_t count,
                         Workspace<R>& workspace, SampleBatch& batch, std::int32_t index) const {
   const RayArrays<R>& rays = workspace.levels[0].rays;
   const auto i = static_cast<std::size_t>(index);
-  std::fill_n(rays.dx + i, count, static_cast<R>(x + in_pixel_));
-  std::fill_n(rays.dy + i, count, static_cast<R>(y + in_pixel_));
+  fill_on(rays.dx + i, count, static_cast<R>(x + in_pixel_));
+  fill_on(rays.dy + i, count, static_cast<R>(y + in_pixel_));
   if (names_samples_)
     for (std::uint32_t s = 0; s < count; ++s) workspace.samples[i + s] = {x, y, first + s};
   if (is_drawn_) {
     const Sobol2 points(hash(sampling_.seed, x, y, kPixelPair));
-    std::fill_n(batch.shuffle.data() + i, count, points.shuffle);
-    std::fill_n(batch.u.data() + i, count, points.scramble_u);
-    std::fill_n(batch.v.data() + i, count, points.scramble_v);
-    std::iota(batch.number.data() + i, batch.number.data() + i + count, first);
+    fill_on(batch.shuffle.data() + i, count, points.shuffle);
+    fill_on(batch.u.data() + i, count, points.scramble_u);
+    fill_on(batch.v.data() + i, count, points.scramble_v);
+    count_on(batch.number.data() + i, count, first);
     return;
   }
   for (std::uint32_t s = 0; s < count; ++s) {

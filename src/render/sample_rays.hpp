@@ -18,7 +18,11 @@ struct SampleBatch {
   std::vector<std::uint32_t> shuffle, u, v, number;
   std::vector<std::uint8_t> negative;
   explicit SampleBatch(std::size_t size)
-      : shuffle(size), u(size), v(size), number(size), negative(size) {}
+      : shuffle(size + kArrayPadding),
+        u(size + kArrayPadding),
+        v(size + kArrayPadding),
+        number(size + kArrayPadding),
+        negative(size) {}
 };
 
 /// Makes the rays of a picture's samples. What it makes depends on pixel and number alone.
