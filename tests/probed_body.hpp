@@ -92,7 +92,8 @@ inline bool same_bits(const BodyCrossings& a, const BodyCrossings& b) {
   };
   const bool hit = a.first < HUGE_VAL;  // nothing is said of a normal elsewhere
   return std::equal(a.at, a.at + kProbedCrossings, b.at, same) && same(a.first, b.first) &&
-         (!hit || (std::equal(a.normal, a.normal + 3, b.normal, same) && a.inside == b.inside));
+         (!hit || (std::equal(a.normal, a.normal + 3, b.normal, same) && a.inside == b.inside)) &&
+         a.keeps_limits == b.keeps_limits;
 }
 
 /// Of each ray with the body whose numbers begin at start[i]: the same bits by every instruction
