@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # isa_symbols.sh LIBRARY SCHOOL: the engine's object files define nothing outside their own namespaces, so that no inline
-# function compiled for one instruction set is what another one's code calls.
+# function compiled for one instruction set is what another one's code calls; and what most time goes into is in the engine
+# alone, so that no copy that is optimised less is what the engine calls.
 set -u
 library=$1 school=$2
 status=0
@@ -36,5 +37,12 @@ fi
 check record_kernel.cpp.o 1 'isa_portable::'
 library=$school
 check mistaken_kernel.cpp.o 2 'isa_[a-z0-9]+::kMistakenKernel$'
+copies=$(nm -C --defined-only "$school" 2>/dev/null |
+  grep -oE 'isa_[a-z0-9]+::(nearest_in_hierarchy|blocked_in_hierarchy|trace_shadow_rays)<' | sort | uniq -c)
+if [ -n "$copies" ]; then
+  echo "$school has copies of what engine/once.hpp lists:"
+  echo "$copies"
+  status=1
+fi
 check mistaken_record_kernel.cpp.o 1 'isa_portable::'
 exit $status

@@ -24,6 +24,13 @@ std::uint32_t blocked_in_group<Lanes>(const FrozenScene<Lanes::Real>& group,
   return find_blocked<Lanes>(group, last, rays);
 }
 
+// engine/once.hpp
+template void nearest_in_hierarchy<Lanes>(const FrozenScene<Lanes::Real>&, RayGroup<Lanes>&);
+template std::uint32_t blocked_in_hierarchy<Lanes>(const FrozenScene<Lanes::Real>&, LastBlocker&,
+                                                   RayGroup<Lanes>&);
+template void trace_shadow_rays<Lanes>(const FrozenScene<Lanes::Real>&, std::size_t,
+                                       Scratch<Lanes::Real>&);
+
 void render_tile(const FrozenScene<Lanes::Real>& scene, const TraceSettings& settings,
                  const TileRect& tile, Workspace<Lanes::Real>& workspace, RayCounts& counts,
                  float* pixels, std::size_t stride) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine once more, telling its terms. Compiled like kernel.cpp, for the portable set, whose
 // bits are those of all others; and apart from it, so that the renderer's code stays what it is.
-#include "engine/trace_tile.hpp"
+#include "engine/once.hpp"
 
 namespace zraka::ZRAKA_ISA {
 

@@ -4,7 +4,7 @@
 
 #include "engine/indices.hpp"
 #include "engine/load_rays.hpp"
-#include "engine/trace_tile.hpp"
+#include "engine/once.hpp"
 #include "school/mistakes/mistaken_rules.hpp"
 
 namespace zraka::ZRAKA_ISA {
