@@ -127,7 +127,13 @@ ZRAKA_INLINE DoubleLanes select(DoubleMask m, DoubleLanes a, DoubleLanes b) {
   return hn::IfThenElse(m.v, a.v, b.v);
 }
 ZRAKA_INLINE DoubleMask select(DoubleMask m, DoubleMask a, DoubleMask b) {
+#ifdef __clang__
+  // Over masks of bits, clang 19 takes many minutes and gigabytes for a torus by AVX-512.
+  return {hn::MaskFromVec(
+      hn::IfThenElse(m.v, hn::VecFromMask(wide::dd, a.v), hn::VecFromMask(wide::dd, b.v)))};
+#else
   return either(both(m, a), but_not(b, m));
+#endif
 }
 ZRAKA_INLINE DoubleLanes sqrt(DoubleLanes a) {
   return hn::Sqrt(a.v);
