@@ -127,7 +127,7 @@ ZRAKA_INLINE DoubleLanes select(DoubleMask m, DoubleLanes a, DoubleLanes b) {
   return hn::IfThenElse(m.v, a.v, b.v);
 }
 ZRAKA_INLINE DoubleMask select(DoubleMask m, DoubleMask a, DoubleMask b) {
-#ifdef __clang__
+#if defined(__clang__) && defined(__AVX512F__)
   // Over masks of bits, clang 19 takes many minutes and gigabytes for a torus by AVX-512.
   return {hn::MaskFromVec(
       hn::IfThenElse(m.v, hn::VecFromMask(wide::dd, a.v), hn::VecFromMask(wide::dd, b.v)))};
