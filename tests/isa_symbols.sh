@@ -31,6 +31,7 @@ if ar t "$library" | grep -q '^kernel\.cpp\.o$'; then
   check kernel.cpp.o 4 'isa_[a-z0-9]+::kKernel$'
   check services.cpp.o 4 'isa_[a-z0-9]+::kServices$'
   check shading.cpp.o 4 'isa_[a-z0-9]+::'
+  check hit_lanes.cpp.o 4 'isa_[a-z0-9]+::'
 else
   check unity_1_cxx.cxx.o 4 'isa_[a-z0-9]+::kKernel$'
 fi

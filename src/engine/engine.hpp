@@ -191,12 +191,19 @@ struct ArrivingLight {
   double *distance, *strength;
   double* l_n;     ///< L·N
   double* cosine;  ///< of a spot: between its axis and the way from it
+  double* highlight = nullptr;  ///< HitServices::find_shines()
 };
+
+/// As far as shadow rays of no end go.
+inline constexpr double kFarthest = 0x1p100;
 
 /// No highlight: (1 - x)·n is so large that x^n is below 2^-40, for ln x ≤ x - 1.
 inline constexpr double kNoHighlight = 27.73;
 /// In place of a highlight: R·V or N·H is below 0; or it is to be asked for by itself.
 inline constexpr double kFacesAway = -1, kUnknownHighlight = -2;
+
+template <class R>
+struct HitServices;
 
 /// What is asked of an instruction set beside whole tiles.
 template <class R>
@@ -220,6 +227,12 @@ struct Services {
   void (*make_window_rays)(const FrozenCamera<R>& camera, const InverseFilter* filter,
                            const SampleKeys& keys, std::size_t n, RayArrays<R>& rays,
                            std::uint8_t* negative);
+  /// Of the first n hits in the list in scratch.shadow_ray_hit, takes those out whose way to the
+  /// light the scene blocks, and puts them into another; scratch.lit is 0 there. Returns how many
+  /// are left. Rays go from scratch.sox along scratch.lx as far as scratch.sdistance, by hit.
+  std::size_t (*drop_blocked)(const FrozenScene<R>& scene, std::size_t n, Scratch<R>& scratch,
+                              std::int32_t* blocked_hits);
+  const HitServices<R>* hits;  ///< engine/hit_services.hpp
 };
 
 /// One way to compute, for render/ to pick.

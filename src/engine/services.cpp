@@ -2,6 +2,7 @@
 // What the general engine asks of one instruction set. CMake compiles this file once for each, like
 // engine/kernel.cpp.
 #include "engine/hemisphere.hpp"
+#include "engine/hit_services.hpp"
 #include "engine/hits.hpp"
 #include "engine/shading.hpp"
 #include "engine/shadow_order.hpp"
@@ -34,6 +35,7 @@ extern const Services<Lanes::Real> kServices;
 const Services<Lanes::Real> kServices = {find_hits, find_blocked_in_order<Lanes>,
                                          make_hemisphere<Lanes::Real>,
                                          find_arriving<Lanes>,
-                                         find_highlights<Lanes>, make_rays};
+                                         find_highlights<Lanes>, make_rays,
+                                         drop_blocked<Lanes>, &kHitServices};
 
 }  // namespace zraka::ZRAKA_ISA

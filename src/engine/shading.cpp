@@ -5,8 +5,8 @@
 
 #include <limits>
 
+#include "engine/highlight.hpp"
 #include "engine/indices.hpp"
-#include "math/elementary_power.hpp"
 #include "math/vec.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -83,7 +83,6 @@ void find_highlights(std::size_t n, const Scratch<typename L::Real>& scratch, do
   using R = typename L::Real;
   using I = typename L::I;
   using D = DoublesOf<L>;
-  using F = typename D::F;
   for (std::size_t first = 0; first < n; first += L::kWidth) {
     const Indices<L> hit(select(L::first(n - first), L::load(scratch.shadow_ray_hit + first),
                                 I(scratch.shadow_ray_hit[first])));
@@ -96,25 +95,13 @@ void find_highlights(std::size_t n, const Scratch<typename L::Real>& scratch, do
     L::store(L::gather(scratch.coefficients + kShininess, at), shininess);
     L::store(L::gather(scratch.coefficients + kBlinn, at), blinn);
     for (std::size_t i = 0; i < L::kWidth; i += D::kWidth) {
-      const V3<F> normal = load_three<D>(nx.of, ny.of, nz.of, i);
-      const V3<F> view = load_three<D>(vx.of, vy.of, vz.of, i);
-      const V3<F> light = load_three<D>(scratch.sdx + first, scratch.sdy + first,
+      const auto normal = load_three<D>(nx.of, ny.of, nz.of, i);
+      const auto view = load_three<D>(vx.of, vy.of, vz.of, i);
+      const auto light = load_three<D>(scratch.sdx + first, scratch.sdy + first,
                                         scratch.sdz + first, i);
-      const F n_l = dot(normal, light);
-      F cosine = dot(normal * (F(2) * n_l) - light, view);
-      if (const auto by_half = D::load_reals(blinn + i) > F(0); any(by_half)) {
-        const V3<F> half = light + view;
-        const F length = sqrt(dot(half, half));
-        const F n_h = select(length > F(0), dot(normal, half) / length, F(0));
-        cosine = select(by_half, n_h, cosine);
-      }
-      const F shine = D::load_reals(shininess + i);
-      const auto none = (F(1) - cosine) * shine > F(kNoHighlight);
-      F highlight(0);
-      if (!all(none))
-        highlight = select(none, F(0),
-                           elementary_power(min(cosine, F(1)), shine, F(kUnknownHighlight)));
-      D::store(select(cosine >= F(0), highlight, F(kFacesAway)), highlights + first + i);
+      D::store(highlight_at<D>(normal, view, light, D::load_reals(shininess + i),
+                               D::load_reals(blinn + i)),
+               highlights + first + i);
     }
   }
 }

@@ -8,6 +8,7 @@
 
 #include "accel/traverse.hpp"
 #include "engine/engine.hpp"
+#include "engine/indices.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -71,6 +72,39 @@ void find_blocked_in_order(const FrozenScene<R>& scene, std::size_t n, Scratch<R
       scratch.blocked[scratch.shadow_order[first + i]] =
           static_cast<std::int32_t>(blocked >> i & 1);
   }
+}
+
+/// As Services::drop_blocked(): neighbouring hits' ways to one light need no order.
+template <class L>
+std::size_t drop_blocked(const FrozenScene<typename L::Real>& scene, std::size_t n,
+                         Scratch<typename L::Real>& scratch, std::int32_t* blocked_hits) {
+  using F = typename L::F;
+  using I = typename L::I;
+  std::int32_t* const hits = scratch.shadow_ray_hit;
+  LastBlocker last;
+  std::size_t kept = 0, dropped = 0;
+  for (std::size_t first = 0; first < n; first += RayGroup<L>::kRays) {
+    RayGroup<L> rays(first, n, [&](std::size_t i) -> RayLanes<L> {
+      const Indices<L> hit(select(L::first(n - i), L::load(hits + i), I(hits[i])));
+      return {{hit.load(scratch.sox), hit.load(scratch.soy), hit.load(scratch.soz)},
+              {hit.load(scratch.lx), hit.load(scratch.ly), hit.load(scratch.lz)},
+              hit.load(scratch.sdistance),
+              I(-1)};
+    });
+    const std::uint32_t blocked = find_blocked<L>(scene, last, rays);
+    for (std::size_t r = 0; r < kRegisters<L> && first + r * L::kWidth < n; ++r) {
+      const std::size_t i = first + r * L::kWidth;
+      const auto exists = L::first(n - i), by = both(lanes_of<L>(blocked, r), exists);
+      const I hit = L::load(hits + i);
+      L::compress_store(hit, but_not(exists, by), hits + kept);
+      kept += count(but_not(exists, by));
+      if (!any(by)) continue;
+      L::scatter(F(0), by, scratch.lit, hit);
+      L::compress_store(hit, by, blocked_hits + dropped);
+      dropped += count(by);
+    }
+  }
+  return kept;
 }
 
 }  // namespace zraka::ZRAKA_ISA

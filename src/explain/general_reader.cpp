@@ -176,7 +176,8 @@ void GeneralReader::at_hits(const Level<float>& level, const Scratch<float>& s,
                      .nm = awaited_[i].nm,
                      .origin = stand_.world_point(rays.ox[i], rays.oy[i], rays.oz[i]),
                      .direction = {rays.dx[i], rays.dy[i], rays.dz[i]}};
-    const general::Inside& inside = workspace.rays[depth][i].inside;
+    const general::Inside inside =
+        workspace.insides.empty() ? general::Inside() : workspace.insides[depth][i];
     for (std::int32_t b = 0; b < inside.count; ++b)
       if (const auto body = bodies_.find(inside.list[b].body); body != bodies_.end())
         ray.inside.push_back(body->second);

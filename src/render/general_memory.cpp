@@ -5,17 +5,31 @@ namespace zraka {
 
 template <class R>
 GeneralMemory<R>::GeneralMemory(std::int32_t batch, std::int32_t shadow_rays,
-                                const TraceSettings& settings, bool textured)
-    : through_({.batch = batch, .max_depth = 0, .textured = textured, .general = true}) {
+                                const FrozenScene<R>& scene, const TraceSettings& settings)
+    : through_({.batch = batch,
+                .max_depth = 0,
+                .textured = scene.textures != nullptr,
+                .general = true}) {
   const auto size = static_cast<std::size_t>(batch);
   const auto levels = static_cast<std::size_t>(settings.max_depth) + 1;
   const auto children = static_cast<std::size_t>(general::most_children(settings));
   workspace_.rays.resize(levels);
   workspace_.hits.resize(levels);
+  workspace_.columns.resize(levels);
+  if (has_media(*scene.optics)) workspace_.insides.resize(levels);
   for (std::size_t i = 0; i < levels; ++i) {
-    workspace_.rays[i].resize(i == 0 ? size : size * children);
+    const std::size_t rays = i == 0 ? size : size * children;
+    workspace_.rays[i].resize(rays);
     workspace_.hits[i].resize(size);
+    workspace_.columns[i].parents.reserve(size);
+    if (scene.optics->fog.kind != Fog::Kind::none)
+      workspace_.columns[i].clear.resize(size + kArrayPadding);
+    if (!has_media(*scene.optics)) continue;
+    workspace_.insides[i].resize(rays);
+    for (std::vector<R>& channel : workspace_.columns[i].transmittance)
+      channel.resize(size + kArrayPadding);
   }
+  workspace_.blocked_hits.resize(size + kArrayPadding);
   workspace_.through = through_.workspace().levels[0];
   workspace_.through_scratch = through_.workspace().scratch;
   workspace_.room = batch;

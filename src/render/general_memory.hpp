@@ -11,8 +11,8 @@ template <class R>
 class GeneralMemory {
  public:
   /// For batches of so many rays, and so many shadow rays at a time.
-  GeneralMemory(std::int32_t batch, std::int32_t shadow_rays, const TraceSettings& settings,
-                bool textured);
+  GeneralMemory(std::int32_t batch, std::int32_t shadow_rays, const FrozenScene<R>& scene,
+                const TraceSettings& settings);
 
   general::GeneralWorkspace<R>& workspace() { return workspace_; }
 

@@ -137,8 +137,7 @@ void LayerMaker<R>::make_tile(const TileRect& tile) {
     job_.kernel.services->find_hits(scene_, level, workspace.scratch);
   } else {
     if (!worker.beyond_cuts)
-      worker.beyond_cuts.emplace(job_.tile * job_.tile, 0, job_.settings,
-                                 scene_.textures != nullptr);
+      worker.beyond_cuts.emplace(job_.tile * job_.tile, 0, scene_, job_.settings);
     general::find_uncut_hits(scene_, *job_.kernel.services, level, workspace.scratch,
                              worker.beyond_cuts->workspace());
   }

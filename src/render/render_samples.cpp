@@ -28,6 +28,7 @@ class SampleTracer {
         samples_(samples),
         memory_(batch_of(job), job.scene, job.settings),
         batch_(static_cast<std::size_t>(memory_.workspace().batch)),
+        only_(batch_.number.size()),
         hits_(batch_.number.size()) {}
 
   /// The samples [first, last) of a pixel.
@@ -50,12 +51,13 @@ class SampleTracer {
   void add_only(std::int32_t x, std::int32_t y, float* color) {
     Workspace<R>& workspace = memory_.workspace();
     if (samples_.in_batches()) {
-      samples_.add(x, y, 0, 1, workspace, batch_, count_);
+      samples_.add_only(x, y, workspace, batch_, count_);
     } else if (samples_.make(x, y, 0, workspace, count_) == SampleRays<R>::Made::nothing) {
       std::fill_n(color, 3, 0.0f);
       return;
     }
-    only_.push_back(color);
+    only_[static_cast<std::size_t>(count_)] = color;
+    has_only_ = true;
     if (++count_ == workspace.batch) flush();
   }
 
@@ -68,13 +70,13 @@ class SampleTracer {
     if (samples_.in_batches())
       samples_.make_all(*job_.kernel.services, count_, workspace, batch_);
     trace_rays(job_.kernel, job_.scene, job_.settings, memory_, counts);
-    if (memory_.general)
+    if (memory_.general && job_.settings.min_contribution > 0)
       for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
         note_cut(static_cast<double>(memory_.general->workspace().rays[0][i].cut));
-    if (only_.empty())
-      give_all(level);
-    else
+    if (has_only_)
       give_only(level);
+    else
+      give_all(level);
     count_ = 0;
   }
 
@@ -97,12 +99,12 @@ class SampleTracer {
   }
   /// As FilmPixel::mean() has it, there is no zero below 0.
   void give_only(const Level<R>& level) {
-    for (std::size_t i = 0; i < only_.size(); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
       only_[i][0] = static_cast<float>(level.rays.r[i]) + 0.0f;
       only_[i][1] = static_cast<float>(level.rays.g[i]) + 0.0f;
       only_[i][2] = static_cast<float>(level.rays.b[i]) + 0.0f;
     }
-    only_.clear();
+    has_only_ = false;
   }
 
   /// The more children hits have, the fewer hits: their rays have to stay near.
@@ -158,6 +160,7 @@ class SampleTracer {
   SampleBatch batch_;
   std::vector<Run> runs_;  ///< of samples of one pixel each
   std::vector<float*> only_;  ///< or, of samples that are their pixels' only ones, these
+  bool has_only_ = false;
   std::vector<std::uint8_t> hits_;
   std::int32_t count_ = 0;
   const bool adds_plainly_ = std::is_same_v<R, float> &&

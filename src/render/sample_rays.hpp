@@ -44,6 +44,16 @@ class SampleRays {
   /// Samples [first, first + count) of a pixel, to places from `index` on.
   void add(std::int32_t x, std::int32_t y, std::uint32_t first, std::uint32_t count,
            Workspace<R>& workspace, SampleBatch& batch, std::int32_t index) const;
+  /// A pixel's only sample, likewise.
+  void add_only(std::int32_t x, std::int32_t y, Workspace<R>& workspace, SampleBatch& batch,
+                std::int32_t index) const {
+    if (is_drawn_) return add(x, y, 0, 1, workspace, batch, index);
+    const RayArrays<R>& rays = workspace.levels[0].rays;
+    rays.dx[index] = static_cast<R>(x + in_pixel_) + static_cast<R>(only_.x);
+    rays.dy[index] = static_cast<R>(y + in_pixel_) + static_cast<R>(only_.y);
+    batch.negative[static_cast<std::size_t>(index)] = only_.negative;
+    if (names_samples_) workspace.samples[index] = {x, y, 0};
+  }
   /// The rays of the first n.
   void make_all(const Services<R>& services, std::int32_t n, Workspace<R>& workspace,
                 SampleBatch& batch) const;
@@ -67,6 +77,7 @@ class SampleRays {
   const bool names_samples_;
   const double in_pixel_;  ///< corners that are averaged are around the pixel, not its place
   std::uint32_t count_;
+  FilterOffset only_{};  ///< of samples that are their pixels' only ones
   double cone_scale_;
 };
 

@@ -32,8 +32,7 @@ struct TracerMemory {
                 .shadow_rays = scene.optics == nullptr ? 0 : kWaitingShadowRays,
                 .children = scene.optics == nullptr ? 2 : general::most_children(settings)}) {
     if (scene.optics != nullptr)
-      general.emplace(batch, std::max(batch, kWaitingShadowRays), settings,
-                      scene.textures != nullptr);
+      general.emplace(batch, std::max(batch, kWaitingShadowRays), scene, settings);
   }
   Workspace<R>& workspace() { return memory.workspace(); }
 };

@@ -36,12 +36,12 @@ struct FrozenStore {
   std::vector<std::unique_ptr<FrozenStore<R>>> group_stores;
   std::vector<BuiltHierarchy> group_hierarchies;
   UnsetVector<R> reals, rows;
-  FrozenScene<R> opaque{}, casting{};
+  FrozenScene<R> opaque{}, filtering{};
   UnsetVector<std::int32_t> materials, ids;
   std::vector<FrozenLight<R>> lights;
   /// By material, those whose shapes shadow rays go through; empty where there are none such.
   std::vector<std::uint8_t> shadowless;
-  std::vector<std::uint8_t> passable;  ///< the same of FrozenScene::opaque
+  std::vector<std::uint8_t> passable, unfiltering;  ///< the same of FrozenScene::opaque and filtering
   /// By kind: of those shapes after the last one read that are pieces of others, which ones.
   std::array<std::vector<std::int32_t>, kKinds> parents;
   /// By kind: what textures need of shapes. Empty where no material has textures.
@@ -87,7 +87,7 @@ void refer_to(const FrozenScene<R>& scene, BuildRef* refs);
 template <class R>
 void reorder_by_leaf(FrozenStore<R>& store, const BuiltHierarchy& hierarchy);
 
-/// Makes FrozenScene::opaque and casting of a scene that is ready otherwise; shadow rays may pass what
+/// Makes FrozenScene::opaque and filtering of a scene that is ready otherwise; shadow rays may pass what
 /// is transparent, too, or only what casts no shadow.
 template <class R>
 void add_opaque_scene(FrozenStore<R>& store, bool transparent);

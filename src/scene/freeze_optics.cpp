@@ -43,8 +43,10 @@ OpticalMaterial freeze_material(const Material& m, const Frame& frame) {
     return std::any_of(m.textures.begin(), m.textures.end(),
                        [&](const TextureUse& use) { return use.coefficient == coefficient; });
   };
-  return {.k1 = vector_of(m.reflection),
-          .k2 = vector_of(m.refraction),
+  const auto counts = [](const V3<double>& v) { return !(v.x == 0 && v.y == 0 && v.z == 0); };
+  const V3<double> k1 = vector_of(m.reflection), k2 = vector_of(m.refraction);
+  return {.k1 = k1,
+          .k2 = k2,
           .absorption = vector_of(m.absorption) * frame.world_length(1),
           .ior = m.ior,
           .dispersion = m.dispersion,
@@ -53,6 +55,8 @@ OpticalMaterial freeze_material(const Material& m, const Frame& frame) {
           .priority = m.priority,
           .textured_k1 = textured(Coefficient::reflection),
           .textured_k2 = textured(Coefficient::refraction),
+          .has_children = counts(k1) || counts(k2) || textured(Coefficient::reflection) ||
+                          textured(Coefficient::refraction),
           .casts_shadow = m.casts_shadow,
           .cut_group = m.cut_group};
 }

@@ -144,9 +144,9 @@ struct FrozenScene {
 #undef ZRAKA_STORE
   Hierarchy hierarchy;
   /// For shadow rays of the general engine: the same, where they go through all shapes that they may
-  /// pass, and where they go through those that cast no shadow. nullptr: there are none such, or they
-  /// are parts of wholes.
-  const FrozenScene *opaque, *casting;
+  /// pass; and where they meet only those of these that take something of their light. nullptr: there
+  /// are none such, or they are parts of wholes.
+  const FrozenScene *opaque, *filtering;
 };
 
 }  // namespace zraka

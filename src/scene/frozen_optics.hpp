@@ -21,6 +21,7 @@ struct OpticalMaterial {
   int priority;
   /// Textures give these coefficients, for all channels alike.
   bool textured_k1, textured_k2;
+  bool has_children;  ///< rays leave its surface: some k1 or k2 is not 0, or a texture's
   bool casts_shadow;
   std::uint32_t cut_group;
   bool absorbs() const { return absorption.x > 0 || absorption.y > 0 || absorption.z > 0; }
@@ -94,5 +95,10 @@ struct FrozenOptics {
   /// a hit's children: what bounds any ray's radiance follows from them.
   double most_local, most_sky, most_shares;
 };
+
+/// Whether rays know what they are inside of.
+inline bool has_media(const FrozenOptics& optics) {
+  return optics.nested || optics.absorbing;
+}
 
 }  // namespace zraka

@@ -43,19 +43,20 @@ void add_opaque_scene(FrozenStore<R>& store, bool transparent) {
   FrozenScene<R>& scene = store.scene;
   if (scene.optics == nullptr) return;
   for (const OpticalMaterial& m : store.optics->materials) {
-    store.shadowless.push_back(m.casts_shadow ? 0 : 1);
-    store.passable.push_back(!m.casts_shadow || (transparent && is_transparent(m)) ? 1 : 0);
+    const bool passable = !m.casts_shadow || (transparent && is_transparent(m));
+    // What absorbs light does so whether it casts a shadow or not.
+    const bool filters = passable && (m.casts_shadow || scene.optics->absorbing);
+    store.passable.push_back(passable ? 1 : 0);
+    store.unfiltering.push_back(filters ? 0 : 1);
   }
-  const auto has_any = [](const std::vector<std::uint8_t>& of_material) {
-    return std::find(of_material.begin(), of_material.end(), 1) != of_material.end();
-  };
-  if (!has_any(store.passable) || has_passable_whole(store)) return;
-  store.opaque = store.casting = scene;
+  const bool has_any = std::find(store.passable.begin(), store.passable.end(), 1) !=
+                       store.passable.end();
+  if (!has_any || has_passable_whole(store)) return;
+  store.opaque = store.filtering = scene;
   store.opaque.shadowless = store.passable.data();
+  store.filtering.shadowless = store.unfiltering.data();
   scene.opaque = &store.opaque;
-  if (!has_any(store.shadowless)) return;
-  store.casting.shadowless = store.shadowless.data();
-  scene.casting = &store.casting;
+  scene.filtering = &store.filtering;
 }
 
 template void add_opaque_scene(FrozenStore<float>&, bool);

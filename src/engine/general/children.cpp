@@ -54,7 +54,7 @@ Bend bend_at(const Batch<R>& batch, std::size_t h, double cosine, double um) {
   const bool from_inside = batch.from_inside(h);
   Bend bend{1, 1, 1, 0, 0};
   if (optics.nested && !optics.index_is_ratio && batch.hits[h].enclosing) {
-    Inside with = batch.ray_of(h).inside, without = with;
+    Inside with = batch.inside_of(h), without = with;
     with.enter({batch.hits[h].body, own});
     without.leave(batch.hits[h].body);
     const double n_with = index_of(materials, medium_of(with, materials), um);
@@ -81,14 +81,16 @@ Bend bend_at(const Batch<R>& batch, std::size_t h, double cosine, double um) {
 template <class R>
 class Spawner {
  public:
-  Spawner(const Batch<R>& batch, Level<R>& next, RayState<R>* rays)
-      : batch_(batch), next_(next), rays_(rays) {}
+  Spawner(const Batch<R>& batch, Level<R>& next, RayState<R>* rays, Inside* insides)
+      : batch_(batch), next_(next), rays_(rays), insides_(insides) {}
 
   bool add(std::size_t h, RayKind kind, const V3<R>& share, const V3<double>& direction,
            std::int32_t wavelength) {
     HitState<R>& hit = batch_.hits[h];
     const RayState<R>& parent = batch_.ray_of(h);
-    const V3<R> weight = parent.weight * hit.transmittance * share;
+    const V3<R> seen =
+        batch_.has_media() ? parent.weight * batch_.transmittance_of(h) : parent.weight;
+    const V3<R> weight = seen * share;
     const TraceSettings& settings = batch_.settings;
     const V3<R>& counts = settings.cut_by_share ? share : weight;
     const double most = static_cast<double>(
@@ -118,13 +120,14 @@ class Spawner {
     ray.kind = kind;
     // What is seen of a cap for the eye only is as if all rays knew of it.
     ray.sees_cuts = hit.cap >= 0 && batch_.optics().cuts[hit.cap].eye_only;
-    ray.inside = parent.inside;
-    if (kind == RayKind::refracted && hit.enclosing &&
-        (batch_.optics().nested || batch_.optics().absorbing)) {
-      if (batch_.from_inside(h))
-        ray.inside.leave(hit.body);
-      else
-        ray.inside.enter({hit.body, batch_.scratch.material[h]});
+    if (batch_.has_media()) {
+      Inside& inside = insides_[at] = batch_.inside_of(h);
+      if (kind == RayKind::refracted && hit.enclosing) {
+        if (batch_.from_inside(h))
+          inside.leave(hit.body);
+        else
+          inside.enter({hit.body, batch_.scratch.material[h]});
+      }
     }
     ++hit.child_count;
     kind == RayKind::reflected ? ++batch_.counts.reflected : ++batch_.counts.refracted;
@@ -135,6 +138,7 @@ class Spawner {
   const Batch<R>& batch_;
   Level<R>& next_;
   RayState<R>* rays_;
+  Inside* insides_;
 };
 
 template <class R>
@@ -218,28 +222,32 @@ void spawn_at(const Batch<R>& batch, std::size_t h, Spawner<R>& spawner, Level<R
 }  // namespace
 
 template <class R>
-void spawn(const Batch<R>& batch, Level<R>& next, RayState<R>* next_rays) {
-  Spawner<R> spawner(batch, next, next_rays);
-  Level<R>& level = batch.level;
-  const bool listens = batch.general.listener != nullptr;
-  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+void spawn(const Batch<R>& batch, Level<R>& next, RayState<R>* next_rays, Inside* next_insides) {
+  Spawner<R> spawner(batch, next, next_rays, next_insides);
+  HitArrays<R>& hits = batch.level.hits;
+  const bool names_children = batch.listens() || batch.scene.textures != nullptr;
+  if (names_children) {
+    std::fill_n(hits.reflected, batch.hit_count(), -1);
+    std::fill_n(hits.refracted, batch.hit_count(), -1);
+  }
+  for (const std::int32_t parent : batch.columns.parents) {
+    const auto h = static_cast<std::size_t>(parent);
     HitState<R>& hit = batch.hits[h];
-    level.hits.reflected[h] = level.hits.refracted[h] = -1;
     const OpticalMaterial& material = batch.material(h);
-    if (!listens && is_zero(reflection_of(material, batch.row(h))) &&
+    if (!batch.listens() && is_zero(reflection_of(material, batch.row(h))) &&
         is_zero(refraction_of(material, batch.row(h))))
       continue;
     spawn_at(batch, h, spawner, next);
+    if (!names_children) continue;
     for (std::int32_t c = hit.first_child; c < hit.first_child + hit.child_count; ++c)
-      (next_rays[c].kind == RayKind::reflected ? level.hits.reflected : level.hits.refracted)[h] =
-          c;
+      (next_rays[c].kind == RayKind::reflected ? hits.reflected : hits.refracted)[h] = c;
   }
   if (batch.scene.textures == nullptr) return;
-  spread_cones(level, batch.scratch, next);
+  spread_cones(batch.level, batch.scratch, next);
   // All wavelengths have the cone of the last.
-  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+  for (const std::int32_t h : batch.columns.parents) {
     const HitState<R>& hit = batch.hits[h];
-    const std::int32_t of = level.hits.refracted[h];
+    const std::int32_t of = hits.refracted[h];
     for (std::int32_t c = hit.first_child; c < of; ++c)
       if (next_rays[c].kind == RayKind::refracted)
         next.rays.width[c] = next.rays.width[of], next.rays.spread[c] = next.rays.spread[of],
@@ -247,7 +255,7 @@ void spawn(const Batch<R>& batch, Level<R>& next, RayState<R>* next_rays) {
   }
 }
 
-#define ZRAKA_FOR(R) template void spawn(const Batch<R>&, Level<R>&, RayState<R>*);
+#define ZRAKA_FOR(R) template void spawn(const Batch<R>&, Level<R>&, RayState<R>*, Inside*);
 ZRAKA_FOR(float)
 ZRAKA_FOR(double)
 #undef ZRAKA_FOR

@@ -90,7 +90,7 @@ template <class R>
 bool passes_unseen(const Batch<R>& batch, std::size_t h, Inside& inside) {
   const OpticalMaterial* const materials = batch.optics().materials;
   const OpticalMaterial& material = batch.material(h);
-  if (is_zero(material.k2) && !material.textured_k2) return false;  // nothing goes in there
+  if (!lets_in(material)) return false;  // nothing goes in there
   if (!has_inside(batch.scene, batch.scratch.paths[h])) return false;
   const std::uint64_t body =
       body_of(batch.scene, batch.scratch.paths[h], batch.scratch.material[h]);
@@ -117,7 +117,7 @@ void pass_hidden_surfaces(const Batch<R>& batch) {
   for (int pass = 0; batch.optics().nested && !hidden.empty() && pass < kMostPassed; ++pass) {
     std::erase_if(hidden, [&](std::size_t h) {
       return batch.scratch.slot[batch.level.hits.ray[h]] < 0 ||
-             !passes_unseen(batch, h, batch.ray_of(h).inside);
+             !passes_unseen(batch, h, batch.inside_of(h));
     });
     for (const std::size_t h : hidden) walks.add_onward(h);
     walks.run();
@@ -133,19 +133,12 @@ void forget_children(HitState<R>& hit) {
   hit.first_child = hit.child_count = 0;
 }
 
-/// Nearest hits, surfaces, and what rays come through; what hits nothing has the sky's colour.
+/// What rays bring that hit nothing: the sky's colour, which find_hits() knows where it is plain.
 template <class R>
-void find_hits(const Batch<R>& batch) {
+void find_sky(const Batch<R>& batch) {
   Level<R>& level = batch.level;
-  batch.services.find_hits(batch.scene, level, batch.scratch);
-  const bool has_media = batch.optics().absorbing || batch.optics().nested;
-  const bool wants_bodies = has_media || batch.general.listener != nullptr;
-  batch.general.caps.clear();
-  const bool may_go_through = batch.optics().nested || batch.optics().cut_count > 0;
-  if (may_go_through) pass_hidden_surfaces(batch);
-  batch.counts.hits += batch.hit_count();
-
   const bool plain = batch.optics().sky.kind == Sky::Kind::flat;
+  if (plain && batch.optics().fog.kind == Fog::Kind::none) return;
   for (std::int32_t i = 0; i < level.in_batch; ++i) {
     const std::int32_t ray = level.done + i;
     if (batch.scratch.slot[i] >= 0) continue;
@@ -157,75 +150,156 @@ void find_hits(const Batch<R>& batch) {
     const V3<R> seen = through_fog(batch.optics().fog, clear, color);
     level.rays.r[ray] = seen.x, level.rays.g[ray] = seen.y, level.rays.b[ray] = seen.z;
   }
-  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
-    HitState<R>& hit = batch.hits[h];
-    if (batch.general.listener != nullptr) hit = {};
-    forget_children(hit);
-    hit.body = 0;
-    if (wants_bodies)
-      hit.body = body_of(batch.scene, batch.scratch.paths[h], batch.scratch.material[h]);
-    hit.material = batch.scratch.material[h];
-    hit.enclosing = wants_bodies && has_inside(batch.scene, batch.scratch.paths[h]);
-    hit.cap = may_go_through ? batch.general.caps[h] : -1;
-    hit.medium = -1;
-    hit.transmittance = {R(1), R(1), R(1)};
+}
+
+/// What a hit's state begins with.
+template <class R>
+void start_state(const Batch<R>& batch, std::size_t h) {
+  HitState<R>& hit = batch.hits[h];
+  if (batch.listens()) hit = {};
+  forget_children(hit);
+  hit.body = 0;
+  hit.enclosing = false;
+  if (batch.has_media() || batch.listens()) {
+    hit.body = body_of(batch.scene, batch.scratch.paths[h], batch.scratch.material[h]);
+    hit.enclosing = has_inside(batch.scene, batch.scratch.paths[h]);
+  }
+  hit.material = batch.scratch.material[h];
+  hit.cap = batch.cap_of(h);
+}
+
+/// What the way to a hit leaves of its light, through what the ray is inside of; which that is.
+template <class R>
+std::int32_t pass_medium(const Batch<R>& batch, std::size_t h, double length) {
+  const OpticalMaterial* const materials = batch.optics().materials;
+  Inside& inside = batch.inside_of(h);
+  // What a ray leaves it has been inside of, whether or not it is known how it came in.
+  if (batch.from_inside(h) && lets_in(batch.material(h)) &&
+      has_inside(batch.scene, batch.scratch.paths[h])) {
+    const std::int32_t material = batch.scratch.material[h];
+    inside.enter({body_of(batch.scene, batch.scratch.paths[h], material), material});
+  }
+  const std::int32_t medium = medium_of(inside, materials);
+  V3<R> left{R(1), R(1), R(1)};
+  if (medium >= 0 && materials[medium].absorbs())
+    left = narrowed<R>(transmittance_of(materials[medium].absorption, length));
+  auto& t = batch.columns.transmittance;
+  t[0][h] = left.x, t[1][h] = left.y, t[2][h] = left.z;
+  return medium;
+}
+
+/// Nearest hits, surfaces, and what rays come through; what hits nothing has the sky's colour.
+template <class R>
+void find_hits(const Batch<R>& batch) {
+  Level<R>& level = batch.level;
+  const bool may_go_through = batch.optics().nested || batch.optics().cut_count > 0;
+  Scratch<R> found = batch.scratch;
+  // The ways to hits take long to write.
+  if (!(batch.has_media() || may_go_through || batch.listens() || batch.scene.textures != nullptr))
+    found.paths = nullptr;
+  batch.services.find_hits(batch.scene, level, found);
+  batch.general.caps.clear();
+  if (may_go_through) pass_hidden_surfaces(batch);
+  batch.counts.hits += batch.hit_count();
+  find_sky(batch);
+
+  const bool foggy = batch.optics().fog.kind != Fog::Kind::none;
+  batch.columns.parents.clear();
+  for (std::size_t h = 0; h < batch.hit_count() && batch.listens(); ++h) {
+    start_state(batch, h);
+    batch.hits[h].medium = -1;
+    batch.hits[h].transmittance = {R(1), R(1), R(1)};
+    batch.hits[h].clear = R(1);
+    batch.columns.parents.push_back(static_cast<std::int32_t>(h));
+  }
+  for (std::size_t h = 0; h < batch.hit_count() && (batch.has_media() || foggy); ++h) {
     const std::int32_t of = level.hits.ray[h];
     const auto length = static_cast<double>(batch.scratch.t[of]);
-    hit.clear = clear_share_of(batch, static_cast<std::size_t>(level.done + of), length);
-    if (!has_media) continue;
-    RayState<R>& ray = batch.ray_of(h);
-    // What a ray leaves it has been inside of, whether or not it is known how it came in.
-    if (hit.enclosing && batch.from_inside(h) && !(is_zero(batch.material(h).k2) && !batch.material(h).textured_k2))
-      ray.inside.enter({hit.body, batch.scratch.material[h]});
-    hit.medium = medium_of(ray.inside, batch.optics().materials);
-    if (hit.medium < 0 || !batch.optics().materials[hit.medium].absorbs()) continue;
-    hit.transmittance = narrowed<R>(
-        transmittance_of(batch.optics().materials[hit.medium].absorption, length));
+    if (foggy)
+      batch.columns.clear[h] =
+          clear_share_of(batch, static_cast<std::size_t>(level.done + of), length);
+    const std::int32_t medium = batch.has_media() ? pass_medium(batch, h, length) : -1;
+    if (!batch.listens()) continue;
+    batch.hits[h].medium = medium;
+    if (batch.has_media()) batch.hits[h].transmittance = batch.transmittance_of(h);
+    if (foggy) batch.hits[h].clear = batch.columns.clear[h];
   }
+}
+
+/// Those hits whose material has children at all. Listeners have been given all.
+template <class R>
+void choose_parents(const Batch<R>& batch) {
+  if (batch.listens()) return;
+  const OpticalMaterial* const materials = batch.optics().materials;
+  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+    if (!materials[batch.scratch.material[h]].has_children) continue;
+    start_state(batch, h);
+    batch.columns.parents.push_back(static_cast<std::int32_t>(h));
+  }
+}
+
+/// local + Σ share·Cchild, of a hit that may have children.
+template <class R>
+V3<R> sum_at(const Batch<R>& batch, std::size_t h, const Level<R>* next,
+             const RayState<R>* next_rays) {
+  const Level<R>& level = batch.level;
+  HitState<R>& hit = batch.hits[h];
+  V3<R> color{level.hits.r[h], level.hits.g[h], level.hits.b[h]};
+  R cut = most_of(hit.missing);
+  if (batch.settings.sky_beyond) color = color + hit.beyond_reflected + hit.beyond_refracted;
+  if (next != nullptr)
+    for (std::int32_t c = hit.first_child; c < hit.first_child + hit.child_count; ++c) {
+      const V3<R> brought{next->rays.r[c], next->rays.g[c], next->rays.b[c]};
+      color = color + next_rays[c].share * brought;
+      cut += most_size(next_rays[c].share) * next_rays[c].cut;
+    }
+  batch.ray_of(h).cut = cut;
+  return color;
 }
 
 /// C = T·(local + Σ share·Cchild).
 template <class R>
 void fold(const Batch<R>& batch, const Level<R>* next, const RayState<R>* next_rays) {
   Level<R>& level = batch.level;
-  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
-    HitState<R>& hit = batch.hits[h];
-    V3<R> color{level.hits.r[h], level.hits.g[h], level.hits.b[h]};
-    R cut = most_of(hit.missing);
-    if (batch.settings.sky_beyond) color = color + hit.beyond_reflected + hit.beyond_refracted;
-    if (next != nullptr)
-      for (std::int32_t c = hit.first_child; c < hit.first_child + hit.child_count; ++c) {
-        const V3<R> brought{next->rays.r[c], next->rays.g[c], next->rays.b[c]};
-        color = color + next_rays[c].share * brought;
-        cut += most_size(next_rays[c].share) * next_rays[c].cut;
-      }
-    hit.sum = color;
-    if (batch.settings.clamp_levels) {
-      const auto clamp = [](R v) { return v > R(0) ? (v < R(1) ? v : R(1)) : R(0); };
-      color = {clamp(color.x), clamp(color.y), clamp(color.z)};
-    }
-    color = color * hit.transmittance;
-    const std::int32_t ray = level.done + level.hits.ray[h];
-    color = through_fog(batch.optics().fog, hit.clear, color);
-    level.rays.r[ray] = color.x, level.rays.g[ray] = color.y, level.rays.b[ray] = color.z;
-    batch.rays[ray].cut = cut;
+  const Scratch<R>& scratch = batch.scratch;
+  V3<R*> sums{level.hits.r, level.hits.g, level.hits.b};
+  if (batch.listens()) {  // which ask for the local light then
+    sums = {scratch.px, scratch.py, scratch.pz};
+    std::copy_n(level.hits.r, batch.hit_count(), sums.x);
+    std::copy_n(level.hits.g, batch.hit_count(), sums.y);
+    std::copy_n(level.hits.b, batch.hit_count(), sums.z);
   }
+  for (const std::int32_t parent : batch.columns.parents) {
+    const auto h = static_cast<std::size_t>(parent);
+    const V3<R> sum = sum_at(batch, h, next, next_rays);
+    if (batch.listens()) batch.hits[h].sum = sum;
+    sums.x[h] = sum.x, sums.y[h] = sum.y, sums.z[h] = sum.z;
+  }
+  const auto column = [](const std::vector<R>& of) { return of.empty() ? nullptr : of.data(); };
+  const auto& t = batch.columns.transmittance;
+  batch.services.hits->bring_back(
+      {sums.x, sums.y, sums.z, {column(t[0]), column(t[1]), column(t[2])},
+       column(batch.columns.clear), narrowed<R>(batch.optics().fog.color)},
+      batch.settings.clamp_levels, level);
   level.done += level.in_batch;
   if (batch.general.listener != nullptr) batch.general.listener->at_fold(level, batch.general);
   level.in_batch = 0;
 }
 
 template <class R>
-void trace_batch(const Batch<R>& batch, std::int32_t size, Level<R>* next, RayState<R>* next_rays) {
+void trace_batch(const Batch<R>& batch, std::int32_t size, Level<R>* next, RayState<R>* next_rays,
+                 Inside* next_insides) {
   Level<R>& level = batch.level;
   level.in_batch = std::min(level.ray_count - level.done, size);
   find_hits(batch);
   take_coefficients(batch.scene, level, batch.scratch);
   light_hits(batch);
   const Terms& terms = batch.settings.terms;
-  if (next == nullptr && batch.settings.sky_beyond && !terms.silhouette) find_sky_beyond(batch);
-  if (next == nullptr || terms.silhouette || !(terms.reflection || terms.refraction)) return;
-  spawn(batch, *next, next_rays);
+  if (terms.silhouette || !(terms.reflection || terms.refraction)) return;
+  if (next == nullptr && !batch.settings.sky_beyond) return;
+  choose_parents(batch);
+  if (next == nullptr) return find_sky_beyond(batch);
+  spawn(batch, *next, next_rays, next_insides);
   if (batch.general.listener != nullptr)
     batch.general.listener->at_children(level, *next, batch.general);
 }
@@ -236,7 +310,7 @@ Inside inside_of_eye(const FrozenScene<R>& scene, const Services<R>& services,
                      GeneralWorkspace<R>& general) {
   constexpr int kMostSurfaces = 1000;
   Inside inside;
-  if (!scene.optics->nested && !scene.optics->absorbing) return inside;
+  if (!has_media(*scene.optics)) return inside;
   Level<R>& level = general.through;
   Scratch<R>& scratch = general.through_scratch;
   const V3<double> way = unit({0.3511, 0.7413, 0.5719});  // along no axis
@@ -258,7 +332,7 @@ Inside inside_of_eye(const FrozenScene<R>& scene, const Services<R>& services,
     const bool known = std::find(met.begin(), met.end(), body) != met.end();
     const OpticalMaterial& m = scene.optics->materials[material];
     if (!known && scratch.inside[0] > R(0) && has_inside(scene, scratch.paths[0]) &&
-        !(is_zero(m.k2) && !m.textured_k2) && !is_cut(*scene.optics, m, eye, true))
+        lets_in(m) && !is_cut(*scene.optics, m, eye, true))
       inside.enter({body, material});
     met.push_back(body);
     from = narrowed<R>(three(scratch.px, scratch.py, scratch.pz, 0) -
@@ -268,6 +342,26 @@ Inside inside_of_eye(const FrozenScene<R>& scene, const Services<R>& services,
   // The outermost is left last: it has been entered first.
   std::reverse(inside.list, inside.list + inside.count);
   return inside;
+}
+
+/// What the rays of level 0 carry.
+template <class R>
+void start_rays(const TraceSettings& settings, const Workspace<R>& workspace,
+                GeneralWorkspace<R>& general) {
+  const std::int32_t n = workspace.levels[0].ray_count;
+  for (std::int32_t i = 0; i < n; ++i) {
+    const CameraSample& from = workspace.samples[i];
+    RayState<R>& ray = general.rays[0][static_cast<std::size_t>(i)];
+    ray.share = ray.weight = {R(1), R(1), R(1)};
+    ray.cut = R(0);
+    ray.key = hash(settings.seed, static_cast<std::uint32_t>(from.x),
+                   static_cast<std::uint32_t>(from.y));
+    ray.sample = from.number;
+    ray.wavelength = -1;
+    ray.kind = RayKind::camera;
+    ray.sees_cuts = true;
+  }
+  if (!general.insides.empty()) std::fill_n(general.insides[0].begin(), n, general.at_eye);
 }
 
 }  // namespace
@@ -287,22 +381,19 @@ void trace_rays(const FrozenScene<R>& scene, const TraceSettings& settings,
   Level<R>& top = workspace.levels[0];
   top.done = 0;
   counts.camera += static_cast<std::uint64_t>(top.ray_count);
-  for (std::int32_t i = 0; i < top.ray_count; ++i) {
-    const CameraSample& from = workspace.samples[i];
-    RayState<R>& ray = general.rays[0][static_cast<std::size_t>(i)];
-    ray = {};
-    ray.share = ray.weight = {R(1), R(1), R(1)};
-    ray.key = hash(settings.seed, static_cast<std::uint32_t>(from.x),
-                      static_cast<std::uint32_t>(from.y));
-    ray.sample = from.number;
-    ray.wavelength = -1;
-    ray.sees_cuts = true;
-    ray.inside = general.at_eye;
-  }
+  start_rays(settings, workspace, general);
+  const bool media = has_media(*scene.optics);
+  const auto insides_at = [&](int depth) {
+    return media ? general.insides[static_cast<std::size_t>(depth)].data() : nullptr;
+  };
   const auto batch_at = [&](int depth) {
     const auto d = static_cast<std::size_t>(depth);
-    return Batch<R>{scene,   settings, services, workspace.levels[depth], workspace.scratch,
-                    general, counts,   general.rays[d].data(), general.hits[d].data()};
+    return Batch<R>{scene,   settings,
+                    services, workspace.levels[depth],
+                    workspace.scratch, general,
+                    counts,   general.rays[d].data(),
+                    general.hits[d].data(), general.columns[d],
+                    insides_at(depth)};
   };
   for (int depth = 0;;) {
     const Batch<R> batch = batch_at(depth);
@@ -312,7 +403,8 @@ void trace_rays(const FrozenScene<R>& scene, const TraceSettings& settings,
       RayState<R>* const next_rays =
           next == nullptr ? nullptr : general.rays[static_cast<std::size_t>(depth) + 1].data();
       if (next != nullptr) next->ray_count = next->done = 0;
-      trace_batch(batch, workspace.batch, next, next_rays);
+      trace_batch(batch, workspace.batch, next, next_rays,
+                  next == nullptr ? nullptr : insides_at(depth + 1));
       const bool goes_on = general.listener == nullptr || !general.listener->stop;
       if (next != nullptr && next->ray_count > 0 && goes_on)
         ++depth;  // the children first

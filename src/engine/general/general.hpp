@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/engine.hpp"
+#include "engine/hit_services.hpp"
 
 namespace zraka::general {
 
@@ -65,10 +66,9 @@ struct RayState {
   std::int32_t wavelength;  ///< which of TraceSettings::wavelengths; -1: all
   RayKind kind;
   bool sees_cuts;  ///< those for the eye only, too
-  Inside inside;
 };
 
-/// What the fold needs of a hit, and what explanations say of it.
+/// What the fold needs of a hit that may have children, and what explanations say of all.
 template <class R>
 struct HitState {
   V3<R> transmittance;  ///< of the way from the ray's origin, through what it is inside of
@@ -165,15 +165,26 @@ struct WalkHistory {
   std::vector<std::pair<std::uint64_t, double>> entered;  ///< bodies, and how far from the hit
 };
 
+/// What the fold needs of all hits of a level's batch.
+template <class R>
+struct FoldColumns {
+  std::vector<R> transmittance[3];  ///< HitState's, in scenes with media
+  std::vector<R> clear;             ///< and with fog
+  std::vector<std::int32_t> parents;  ///< hits that may have children: those with a HitState
+};
+
 /// One thread's memory beside its Workspace.
 template <class R>
 struct GeneralWorkspace {
   std::vector<std::vector<RayState<R>>> rays;  ///< by level
   std::vector<std::vector<HitState<R>>> hits;
+  std::vector<std::vector<Inside>> insides;  ///< of the rays, in scenes with media
+  std::vector<FoldColumns<R>> columns;
   std::vector<LightTerms<R>> lit;
   std::vector<LightSum<R>> sums;  ///< where somebody listens
   /// What ArrivingLight points to, and by shadow ray what is in the light's direction.
   std::vector<double> distance, strength, l_n, cosine, highlight;
+  std::vector<std::int32_t> blocked_hits;  ///< HitServices::drop_blocked()
   std::vector<V3<R>> occlusion;
   std::vector<std::int32_t> samples;  ///< of occlusion, by hit
   std::vector<std::int32_t> caps;     ///< HitState::cap while hits are found

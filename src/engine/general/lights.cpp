@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Local light of the general engine: lights of all kinds.
+#include "engine/general/lights.hpp"
+
 #include <limits>
 
-#include "engine/general/shadows.hpp"
-#include "math/elementary.hpp"
 #include "sampling/hash.hpp"
 #include "sampling/sobol.hpp"
 #include "sampling/warp.hpp"
@@ -22,19 +22,6 @@ struct Arriving {
 double smooth(double x) {
   const double t = std::fmin(std::fmax(x, 0.0), 1.0);
   return t * t * (3 - 2 * t);
-}
-
-/// From 1 at a spot's inner angle to 0 at its outer one.
-double linear_edge(const OpticalLight& light, double cosine) {
-  // Farther from both angles than roundings reach, the angle itself is not needed.
-  constexpr double kMargin = 1e-9, kHalfTurn = 3.14159265358979323846;
-  if (light.inner >= 0 && light.outer <= kHalfTurn) {
-    if (cosine > light.cos_inner + kMargin) return 1;
-    if (cosine < light.cos_outer - kMargin) return 0;
-  }
-  const double angle =
-      0.5 * 3.14159265358979323846 - elementary::asin(std::fmin(std::fmax(cosine, -1.0), 1.0));
-  return std::fmin(std::fmax((light.outer - angle) / (light.outer - light.inner), 0.0), 1.0);
 }
 
 Arriving arriving(const OpticalLight& light, const V3<double>& point, const Point2& at) {
@@ -78,23 +65,6 @@ Arriving arriving(const OpticalLight& light, const V3<double>& point, const Poin
                                    : (cosine >= light.cos_outer ? 1.0 : 0.0);
   }
   return arrives;
-}
-
-/// cosine^n; what is below 2^-40 is nothing: ln x ≤ x - 1.
-double highlight_of(double cosine, double shininess) {
-  if ((1 - cosine) * shininess > kNoHighlight) return 0;
-  return elementary::pow(std::fmin(cosine, 1.0), shininess);
-}
-
-/// R·V, or N·H.
-template <class R>
-double highlight_cosine(const Batch<R>& batch, std::size_t h, const V3<double>& to_light) {
-  const V3<double> n = batch.normal(h), v = batch.view(h);
-  if (batch.material(h).highlight == Highlight::phong)
-    return dot(n * (2 * dot(n, to_light)) - to_light, v);
-  const V3<double> half = to_light + v;
-  const double length = std::sqrt(dot(half, half));
-  return length > 0 ? dot(n, half) / length : 0;
 }
 
 /// Whether light from there adds anything, if it arrives: clear glass shines where it mirrors the
@@ -193,29 +163,6 @@ void add_waiting(const Batch<R>& batch, std::size_t h, const V3<R>& to_light, do
   if (general.waiting == general.shadow_room) settle_light(batch);
 }
 
-/// The only sample of a light that is no surface, at all hits together.
-template <class R>
-void add_single_sample(const Batch<R>& batch, std::int32_t index) {
-  const OpticalLight& light = batch.optics().lights[index];
-  const V3<R>& color = batch.scene.lights[index].color;
-  GeneralWorkspace<R>& general = batch.general;
-  const Scratch<R>& scratch = batch.scratch;
-  batch.services.find_arriving(
-      light, batch.hit_count(), batch.scratch,
-      {general.distance.data(), general.strength.data(), general.l_n.data(), general.cosine.data()});
-  const bool has_edge = light.kind == LightKind::spot && light.linear_edge_counts();
-  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
-    general.lit[h].samples = 1;
-    const double l_n = general.l_n[h];
-    if (!(l_n >= 0)) continue;
-    if (has_edge) general.strength[h] *= linear_edge(light, general.cosine[h]);
-    const V3<R> radiance = color * static_cast<R>(general.strength[h]);
-    const V3<R> to_light{scratch.lx[h], scratch.ly[h], scratch.lz[h]};
-    if (!is_zero(radiance) && counts(batch, h, to_light, l_n))
-      add_waiting(batch, h, to_light, general.distance[h], {0, static_cast<R>(l_n), radiance});
-  }
-}
-
 /// All samples of a light, hit by hit.
 template <class R>
 void add_samples(const Batch<R>& batch, std::int32_t index) {
@@ -260,10 +207,7 @@ void add_light(const Batch<R>& batch, std::int32_t index) {
   Listener<R>* const listener = general.listener;
   general.lit.assign(batch.hit_count(), LightTerms<R>{});
   if (listener != nullptr) general.sums.assign(batch.hit_count(), LightSum<R>{});
-  if (listener == nullptr && batch.optics().lights[index].kind < LightKind::rectangle)
-    add_single_sample(batch, index);
-  else
-    add_samples(batch, index);
+  add_samples(batch, index);
   settle_light(batch);
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     LightTerms<R>& sum = general.lit[h];
@@ -291,25 +235,26 @@ void light_hits(const Batch<R>& batch) {
   general.of_waiting.clear();
   find_shadow_origins(batch);
   if (occluded) find_occlusion(batch);
-  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
-    const R plain = terms.silhouette ? R(1) : R(0);
-    V3<R> local{plain, plain, plain};
-    if (terms.ambient && !terms.silhouette) {
-      const R* const row = batch.row(h);
-      local = batch.scene.ambient_light * V3<R>{row[kAmbient], row[kAmbient + 1], row[kAmbient + 2]};
-      if (occluded)
-        local = local * general.occlusion[h];
-      else if (batch.optics().occlusion_samples > 0)
-        local = local * narrowed<R>(batch.optics().occlusion_color);
-    }
+  batch.services.hits->start_light(batch.scene, terms, batch.level, batch.scratch);
+  const bool dims = batch.optics().occlusion_samples > 0 && terms.ambient && !terms.silhouette;
+  for (std::size_t h = 0; h < batch.hit_count() && dims; ++h) {
     HitArrays<R>& hits = batch.level.hits;
+    const V3<R> local = V3<R>{hits.r[h], hits.g[h], hits.b[h]} *
+                        (occluded ? general.occlusion[h]
+                                  : narrowed<R>(batch.optics().occlusion_color));
     hits.r[h] = local.x, hits.g[h] = local.y, hits.b[h] = local.z;
   }
   if (general.listener != nullptr)
     general.listener->at_hits(batch.level, batch.scratch, general,
                               occluded ? general.occlusion.data() : nullptr);
   if (terms.silhouette || !(terms.diffuse || terms.specular)) return;
-  for (std::int32_t i = 0; i < batch.scene.light_count; ++i) add_light(batch, i);
+  for (std::int32_t i = 0; i < batch.scene.light_count; ++i) {
+    // Who explains goes hit by hit.
+    if (!batch.listens() && batch.optics().lights[i].kind < LightKind::rectangle)
+      add_single_light(batch, i);
+    else
+      add_light(batch, i);
+  }
 }
 
 #define ZRAKA_FOR(R) template void light_hits(const Batch<R>&);

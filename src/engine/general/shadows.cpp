@@ -189,7 +189,10 @@ void find_next(const Batch<R>& batch, std::size_t first, std::size_t n) {
   }
   level.ray_count = level.in_batch = static_cast<std::int32_t>(n);
   level.done = 0;
-  batch.services.find_hits(batch.scene, level, scratch);
+  Scratch<R> found = scratch;
+  if (!keeps_history(batch) && !batch.listens() && !batch.optics().textured_passing)
+    found.paths = nullptr;  // nobody asks
+  batch.services.find_hits(batch.scene, level, found);
   if (batch.optics().textured_passing) {
     take_coefficients(batch.scene, level, scratch);
   } else {
@@ -240,15 +243,6 @@ void walk_through(const Batch<R>& batch) {
   for (const Walk<R>& walk : walks) general.filter[walk.entry] = {R(0), R(0), R(0)};
 }
 
-/// Whether a shadow ray begins inside of what absorbs.
-template <class R>
-bool starts_in_absorber(const Batch<R>& batch, std::size_t entry) {
-  if (!batch.optics().absorbing || !may_be_passed(batch)) return false;
-  const auto hit = static_cast<std::size_t>(batch.scratch.shadow_ray_hit[entry]);
-  const std::int32_t medium = medium_of(batch.ray_of(hit).inside, batch.optics().materials);
-  return medium >= 0 && batch.optics().materials[medium].absorbs();
-}
-
 template <class R>
 void start_walk(const Batch<R>& batch, std::size_t entry) {
   GeneralWorkspace<R>& general = batch.general;
@@ -263,12 +257,12 @@ void start_walk(const Batch<R>& batch, std::size_t entry) {
   if (general.histories.size() <= number) general.histories.resize(number + 1);
   WalkHistory& history = general.histories[number];
   // On the side that the viewer sees.
-  history.inside = batch.optics().absorbing ? batch.ray_of(hit).inside : Inside();
+  history.inside = batch.optics().absorbing ? batch.inside_of(hit) : Inside();
   history.passed.clear();
   history.entered.clear();
   history.start = three(scratch.sox, scratch.soy, scratch.soz, hit);
   history.direction = three(scratch.sdx, scratch.sdy, scratch.sdz, entry);
-  const std::int32_t cap = batch.hits[hit].cap;
+  const std::int32_t cap = batch.cap_of(hit);
   history.sees_cuts = cap >= 0 && batch.optics().cuts[cap].eye_only;
 }
 
@@ -277,10 +271,20 @@ void start_walk(const Batch<R>& batch, std::size_t entry) {
 template <class R>
 void find_shadow_origins(const Batch<R>& batch) {
   Scratch<R>& scratch = batch.scratch;
+  batch.services.hits->start_shadow_rays(batch.hit_count(), scratch);
+  if (batch.scene.textures == nullptr || scratch.smooth_x == nullptr) return;
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+    if (!batch.is_bent(h)) continue;
     const V3<R> from = narrowed<R>(batch.point(h) + batch.smooth_normal(h) * batch.offset(h));
     scratch.sox[h] = from.x, scratch.soy[h] = from.y, scratch.soz[h] = from.z;
   }
+}
+
+template <class R>
+void follow_waiting(const Batch<R>& batch) {
+  batch.general.walks.clear();
+  for (std::size_t entry = 0; entry < batch.general.waiting; ++entry) start_walk(batch, entry);
+  walk_through(batch);
 }
 
 namespace {
@@ -313,23 +317,12 @@ void follow_blocked(const Batch<R>& batch, const FrozenScene<R>& scene) {
   batch.services.find_blocked(scene, general.waiting, batch.scratch);
   general.walks.clear();
   for (std::size_t entry = 0; entry < general.waiting; ++entry)
-    if (batch.scratch.blocked[entry] != 0 || starts_in_absorber(batch, entry))
+    if (batch.scratch.blocked[entry] != 0 ||
+        starts_in_absorber(batch,
+                           static_cast<std::size_t>(batch.scratch.shadow_ray_hit[entry])))
       start_walk(batch, entry);
   walk_through(batch);
 }
-
-/// Which scenes say what ways come to that are not followed; nullptr: none.
-template <class R>
-struct Unfollowed {
-  const FrozenScene<R>* dark;  ///< nothing is left of what it blocks
-  const FrozenScene<R>* lit;   ///< all is left of what it does not block
-
-  explicit Unfollowed(const Batch<R>& batch) : dark(deciding_scene(batch)), lit(dark) {
-    if (lit != nullptr || batch.settings.filter_first_only) return;
-    if (batch.optics().cut_count == 0) dark = batch.scene.opaque;
-    if (!batch.optics().absorbing) lit = batch.scene.casting;
-  }
-};
 
 }  // namespace
 
@@ -346,8 +339,7 @@ void trace_waiting(const Batch<R>& batch) {
       batch.services.find_blocked(*scenes.dark, general.waiting, batch.scratch);
       drop_blocked(batch);
     }
-    if (scenes.dark == nullptr || scenes.dark != scenes.lit)
-      follow_blocked(batch, scenes.lit != nullptr ? *scenes.lit : batch.scene);
+    if (!scenes.decide()) follow_blocked(batch, *scenes.asked);
     return;
   }
   // Who explains wants to know of all ways; what they come to is the same.
@@ -358,12 +350,13 @@ void trace_waiting(const Batch<R>& batch) {
     for (std::size_t i = 0; i < general.waiting; ++i)
       if ((scratch.blocked[i] != 0) == blocked) general.filter[i] = {left, left, left};
   };
-  set(scenes.dark, true, R(0));
   set(scenes.lit, false, R(1));
+  set(scenes.dark, true, R(0));
 }
 
 #define ZRAKA_FOR(R)                                  \
   template void find_shadow_origins(const Batch<R>&); \
+  template void follow_waiting(const Batch<R>&);      \
   template void trace_waiting(const Batch<R>&);
 ZRAKA_FOR(float)
 ZRAKA_FOR(double)

@@ -9,9 +9,6 @@
 
 namespace zraka::general {
 
-/// As far as shadow rays of no end go.
-inline constexpr double kFarthest = 0x1p100;
-
 /// Where the shadow rays of all hits begin.
 template <class R>
 void find_shadow_origins(const Batch<R>& batch);
@@ -46,6 +43,36 @@ const FrozenScene<R>* deciding_scene(const Batch<R>& batch) {
   if (!may_go_on(batch)) return &batch.scene;
   return batch.optics().cut_count == 0 && passes_whole(batch) ? batch.scene.opaque : nullptr;
 }
+
+/// Which scenes say what ways come to that are not followed; nullptr: none.
+template <class R>
+struct Unfollowed {
+  const FrozenScene<R>* dark;   ///< nothing is left of what it blocks
+  const FrozenScene<R>* lit;    ///< all is left of what neither it nor `dark` blocks
+  const FrozenScene<R>* asked;  ///< of what `dark` does not block, it blocks all that is to be followed
+
+  explicit Unfollowed(const Batch<R>& batch)
+      : dark(deciding_scene(batch)), lit(dark), asked(&batch.scene) {
+    if (lit != nullptr || batch.settings.filter_first_only || batch.optics().cut_count > 0) return;
+    dark = batch.scene.opaque;
+    if (dark == nullptr) return;
+    asked = batch.scene.filtering;
+    if (!batch.optics().absorbing) lit = asked;
+  }
+  bool decide() const { return dark != nullptr && dark == lit; }
+};
+
+/// Whether shadow rays of a hit begin inside of what absorbs.
+template <class R>
+bool starts_in_absorber(const Batch<R>& batch, std::size_t hit) {
+  if (!batch.optics().absorbing || !may_be_passed(batch)) return false;
+  const std::int32_t medium = medium_of(batch.inside_of(hit), batch.optics().materials);
+  return medium >= 0 && batch.optics().materials[medium].absorbs();
+}
+
+/// Follows the ways of all that wait, and takes what is lost on them from general.filter.
+template <class R>
+void follow_waiting(const Batch<R>& batch);
 
 /// As many samples as a ray's weight in the pixel is worth: what counts little may be noisier.
 template <class R>

@@ -51,7 +51,8 @@ V3<R> through_fog(const OpticalFog& fog, R clear, const V3<R>& color) {
 template <class R>
 void find_sky_beyond(const Batch<R>& batch) {
   const Terms& terms = batch.settings.terms;
-  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+  for (const std::int32_t parent : batch.columns.parents) {
+    const auto h = static_cast<std::size_t>(parent);
     const OpticalMaterial& material = batch.material(h);
     const V3<double> normal = batch.normal(h), view = batch.view(h);
     HitState<R>& hit = batch.hits[h];

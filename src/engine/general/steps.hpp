@@ -46,10 +46,21 @@ struct Batch {
   RayCounts& counts;
   RayState<R>* rays;  ///< of the level
   HitState<R>* hits;
+  FoldColumns<R>& columns;
+  Inside* insides;  ///< of the rays; nullptr where there are no media
 
   const FrozenOptics& optics() const { return *scene.optics; }
   std::size_t hit_count() const { return static_cast<std::size_t>(level.hit_count); }
   RayState<R>& ray_of(std::size_t h) const { return rays[level.done + level.hits.ray[h]]; }
+  Inside& inside_of(std::size_t h) const { return insides[level.done + level.hits.ray[h]]; }
+  bool has_media() const { return insides != nullptr; }
+  bool listens() const { return general.listener != nullptr; }
+  /// HitState::cap.
+  std::int32_t cap_of(std::size_t h) const { return general.caps.empty() ? -1 : general.caps[h]; }
+  V3<R> transmittance_of(std::size_t h) const {
+    const auto& t = columns.transmittance;
+    return {t[0][h], t[1][h], t[2][h]};
+  }
   const R* row(std::size_t h) const {
     return scratch.coefficients + std::ptrdiff_t{scratch.row[h]} * kMaterialReals;
   }
@@ -59,11 +70,14 @@ struct Batch {
   V3<double> point(std::size_t h) const { return three(scratch.px, scratch.py, scratch.pz, h); }
   V3<double> normal(std::size_t h) const { return three(scratch.nx, scratch.ny, scratch.nz, h); }
   V3<double> view(std::size_t h) const { return three(scratch.vx, scratch.vy, scratch.vz, h); }
+  /// Whether a texture bends its normal.
+  bool is_bent(std::size_t h) const {
+    return scene.textures != nullptr && scratch.smooth_x != nullptr &&
+           scene.textures->of_material[scratch.material[h]].normals.kind != NormalUse::Kind::none;
+  }
   /// The normal before a texture bends it, on the viewer's side: rays leave the surface along it.
   V3<double> smooth_normal(std::size_t h) const {
-    if (scene.textures == nullptr || scratch.smooth_x == nullptr ||
-        scene.textures->of_material[scratch.material[h]].normals.kind == NormalUse::Kind::none)
-      return normal(h);
+    if (!is_bent(h)) return normal(h);
     return three(scratch.smooth_x, scratch.smooth_y, scratch.smooth_z, h);
   }
   double offset(std::size_t h) const { return static_cast<double>(scratch.offset[h]); }
@@ -106,13 +120,18 @@ V3<R> reflection_of(const OpticalMaterial& material, const R* row) {
   return narrowed<R>(material.k1);
 }
 
+/// Whether something goes in where a ray hits the material.
+inline bool lets_in(const OpticalMaterial& material) {
+  return !is_zero(material.k2) || material.textured_k2;
+}
+
 /// I = ambient + each light's terms: level.hits.r, g and b.
 template <class R>
 void light_hits(const Batch<R>& batch);
 
-/// Children of all hits, into the next level.
+/// Children of the hits that may have some, into the next level.
 template <class R>
-void spawn(const Batch<R>& batch, Level<R>& next, RayState<R>* next_rays);
+void spawn(const Batch<R>& batch, Level<R>& next, RayState<R>* next_rays, Inside* next_insides);
 
 /// Of unpolarised light, the share that is reflected (Fresnel); eta is n1/n2. 1 beyond the critical
 /// angle.

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// The general engine's steps at hits in lanes, to the bits that they have hit by hit: geometry in
+// doubles, colours in the engine's numbers. CMake compiles this file once for each instruction set,
+// like engine/kernel.cpp.
+#include "engine/hit_services.hpp"
+
+#include "engine/highlight.hpp"
+#include "engine/light.hpp"
+
+namespace zraka::ZRAKA_ISA {
+namespace {
+
+template <class L>
+using Doubles = typename DoublesOf<L>::F[kDoubleParts<L>];
+
+template <class D, class R>
+ZRAKA_INLINE V3<typename D::F> three_at(const R* x, const R* y, const R* z, std::size_t i) {
+  return {D::load_reals(x + i), D::load_reals(y + i), D::load_reals(z + i)};
+}
+template <class F>
+ZRAKA_INLINE auto is_dark(const V3<F>& v) {
+  return both(v.x == F(0), both(v.y == F(0), v.z == F(0)));
+}
+
+template <class L>
+void start_shadow_rays(std::size_t n, Scratch<typename L::Real>& scratch) {
+  using D = DoublesOf<L>;
+  for (std::size_t h = 0; h < n; h += D::kWidth) {
+    const auto offset = D::load_reals(scratch.offset + h);
+    const auto from = three_at<D>(scratch.px, scratch.py, scratch.pz, h) +
+                      three_at<D>(scratch.nx, scratch.ny, scratch.nz, h) * offset;
+    D::store_reals(from.x, scratch.sox + h);
+    D::store_reals(from.y, scratch.soy + h);
+    D::store_reals(from.z, scratch.soz + h);
+  }
+}
+
+template <class L>
+void start_light(const FrozenScene<typename L::Real>& scene, const Terms& terms,
+                 Level<typename L::Real>& level, const Scratch<typename L::Real>& scratch) {
+  start_local<L>(scene, terms, level, scratch);
+}
+
+/// Which hits shine at all, of those that face the light.
+template <class L>
+struct MayShine {
+  MaterialLanes<L> material;
+  typename L::M lanes;
+
+  ZRAKA_INLINE MayShine(const Scratch<typename L::Real>& scratch, std::size_t h, std::size_t n)
+      : material(load_materials<L>(scratch, h, n)),
+        lanes(but_not(L::first(n - h), either(L::load(scratch.strength + h) == typename L::F(0),
+                                              is_dark(material.color(kSpecular))))) {}
+};
+
+/// What is left of the light and how far it goes, in the engine's numbers; 0 where hits face away.
+template <class L>
+void narrow_arriving(std::size_t n, Scratch<typename L::Real>& scratch,
+                     const ArrivingLight& arriving) {
+  using D = DoublesOf<L>;
+  using F = typename D::F;
+  for (std::size_t h = 0; h < n; h += D::kWidth) {
+    const auto faces = D::load(arriving.l_n + h) >= F(0);
+    D::store_reals(select(faces, D::load(arriving.strength + h), F(0)), scratch.strength + h);
+    D::store_reals(min(D::load(arriving.distance + h), F(kFarthest)), scratch.sdistance + h);
+  }
+}
+
+template <class L>
+bool find_shines(const Terms& terms, std::size_t n, Scratch<typename L::Real>& scratch,
+                 const ArrivingLight& arriving) {
+  using D = DoublesOf<L>;
+  using F = typename D::F;
+  narrow_arriving<L>(n, scratch, arriving);
+  if (!terms.specular) return false;
+  bool unknown = false;
+  for (std::size_t h = 0; h < n; h += L::kWidth) {
+    const MayShine<L> may(scratch, h, n);
+    if (!any(may.lanes)) continue;
+    Doubles<L> shininess, blinn;
+    widen(may.material[kShininess], shininess);
+    widen(may.material[kBlinn], blinn);
+    for (std::size_t p = 0; p < kDoubleParts<L>; ++p) {
+      const std::size_t i = h + p * D::kWidth;
+      const F highlight = highlight_at<D>(
+          three_at<D>(scratch.nx, scratch.ny, scratch.nz, i),
+          three_at<D>(scratch.vx, scratch.vy, scratch.vz, i),
+          three_at<D>(scratch.lx, scratch.ly, scratch.lz, i), shininess[p], blinn[p]);
+      D::store(highlight, arriving.highlight + i);
+      unknown = unknown || any(highlight == F(kUnknownHighlight));
+    }
+  }
+  return unknown;
+}
+
+template <class L>
+ZRAKA_INLINE typename L::F narrowed_from(const double* from) {
+  using D = DoublesOf<L>;
+  Doubles<L> parts;
+  for (std::size_t p = 0; p < kDoubleParts<L>; ++p) parts[p] = D::load(from + p * D::kWidth);
+  return narrow(parts);
+}
+/// 1 where a number is above 0, however little.
+template <class L>
+ZRAKA_INLINE typename L::F above_zero(const double* from) {
+  using D = DoublesOf<L>;
+  using F = typename D::F;
+  Doubles<L> parts;
+  for (std::size_t p = 0; p < kDoubleParts<L>; ++p)
+    parts[p] = select(D::load(from + p * D::kWidth) > F(0), F(1), F(0));
+  return narrow(parts);
+}
+
+template <class L>
+std::size_t list_facing(const V3<typename L::Real>& color, const Terms& terms, std::size_t n,
+                        Scratch<typename L::Real>& scratch, const ArrivingLight& arriving) {
+  using F = typename L::F;
+  const V3<F> sent = broadcast<L>(color);
+  std::size_t listed = 0;
+  for (std::size_t h = 0; h < n; h += L::kWidth) {
+    const F strength = L::load(scratch.strength + h);
+    const auto arrives = but_not(L::first(n - h), is_dark(sent * strength));
+    auto counts = but_not(arrives, arrives);
+    if (any(arrives)) {
+      const auto material = load_materials<L>(scratch, h, n);
+      if (terms.diffuse)
+        counts = but_not(above_zero<L>(arriving.l_n + h) > F(0),
+                         is_dark(material.color(kDiffuse)));
+      if (terms.specular)
+        if (const auto dull = is_dark(material.color(kSpecular)); !all(dull))
+          counts = either(counts, but_not(above_zero<L>(arriving.highlight + h) > F(0), dull));
+      counts = both(counts, arrives);
+    }
+    L::store(select(counts, F(1), F(0)), scratch.lit + h);
+    L::compress_store(L::iota(static_cast<std::int32_t>(h)), counts,
+                      scratch.shadow_ray_hit + listed);
+    listed += count(counts);
+  }
+  return listed;
+}
+
+template <class L>
+void add_arriving(const V3<typename L::Real>& color, const Terms& terms,
+                  Level<typename L::Real>& level, const Scratch<typename L::Real>& scratch,
+                  const ArrivingLight& arriving) {
+  using F = typename L::F;
+  const auto n = static_cast<std::size_t>(level.hit_count);
+  const HitArrays<typename L::Real>& hits = level.hits;
+  const V3<F> sent = broadcast<L>(color), none{F(0), F(0), F(0)};
+  for (std::size_t h = 0; h < n; h += L::kWidth) {
+    const auto lit = both(L::load(scratch.lit + h) > F(0), L::first(n - h));
+    V3<F> sum{L::load(hits.r + h), L::load(hits.g + h), L::load(hits.b + h)};
+    const auto add = [&](const V3<F>& more, typename L::M lanes) {
+      const V3<F> all = none + more;  // of the light's samples
+      sum = sum + V3<F>{select(lanes, all.x, F(0)), select(lanes, all.y, F(0)),
+                        select(lanes, all.z, F(0))};
+    };
+    if (any(lit)) {
+      const auto material = load_materials<L>(scratch, h, n);
+      const V3<F> radiance = sent * L::load(scratch.strength + h);
+      if (terms.diffuse)
+        add(radiance * material.color(kDiffuse) * narrowed_from<L>(arriving.l_n + h), lit);
+      const V3<F> ks = material.color(kSpecular);
+      if (const auto shiny = but_not(lit, is_dark(ks)); terms.specular && any(shiny)) {
+        const F highlight = narrowed_from<L>(arriving.highlight + h);
+        add(radiance * ks * highlight, but_not(shiny, highlight == F(kFacesAway)));
+      }
+    }
+    L::store(sum.x, hits.r + h);
+    L::store(sum.y, hits.g + h);
+    L::store(sum.z, hits.b + h);
+  }
+}
+
+template <class L>
+void bring_back(const BroughtBack<typename L::Real>& brings, bool clamps,
+                Level<typename L::Real>& level) {
+  using R = typename L::Real;
+  using F = typename L::F;
+  using I = typename L::I;
+  const auto n = static_cast<std::size_t>(level.hit_count);
+  for (std::size_t h = 0; h < n; h += L::kWidth) {
+    V3<F> color{L::load(brings.r + h), L::load(brings.g + h), L::load(brings.b + h)};
+    if (clamps) {
+      const auto clamp = [](const F& c) { return min(max(c, F(0)), F(1)); };
+      color = {clamp(color.x), clamp(color.y), clamp(color.z)};
+    }
+    if (const R* const* const t = brings.transmittance; t[0] != nullptr)
+      color = color * V3<F>{L::load(t[0] + h), L::load(t[1] + h), L::load(t[2] + h)};
+    if (brings.clear != nullptr) {
+      const F clear = L::load(brings.clear + h);
+      const V3<F> dim = color * clear + broadcast<L>(brings.fog) * (F(1) - clear);
+      const auto none = clear == F(1);
+      color = {select(none, color.x, dim.x), select(none, color.y, dim.y),
+               select(none, color.z, dim.z)};
+    }
+    const auto exists = L::first(n - h);
+    const Indices<L> ray(
+        select(exists, L::load(level.hits.ray + h), I(level.hits.ray[h])) + I(level.done));
+    ray.store(color.x, exists, level.rays.r);
+    ray.store(color.y, exists, level.rays.g);
+    ray.store(color.z, exists, level.rays.b);
+  }
+}
+
+#ifdef ZRAKA_WIDE
+using Lanes = WideLanes;
+#else
+using Lanes = ScalarLanes<double>;
+#endif
+
+}  // namespace
+
+extern const HitServices<Lanes::Real> kHitServices;
+const HitServices<Lanes::Real> kHitServices = {start_shadow_rays<Lanes>, start_light<Lanes>,
+                                               find_shines<Lanes>, list_facing<Lanes>,
+                                               add_arriving<Lanes>, bring_back<Lanes>};
+
+}  // namespace zraka::ZRAKA_ISA
