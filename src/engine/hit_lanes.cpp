@@ -173,6 +173,21 @@ void add_arriving(const V3<typename L::Real>& color, const Terms& terms,
 }
 
 template <class L>
+bool find_exponentials(std::size_t n, const double* x, double* powers) {
+  using D = DoublesOf<L>;
+  using F = typename D::F;
+  bool unknown = false;
+  for (std::size_t i = 0; i < n; i += D::kWidth) {
+    const F from = D::load(x + i);
+    const auto usual = both(from >= F(-700), from <= F(0));
+    const F power = pair_exp(PairLanes<F>{select(usual, from, F(0)), F(0)});
+    D::store(select(usual, power, F(-1)), powers + i);
+    unknown = unknown || !all(usual);
+  }
+  return unknown;
+}
+
+template <class L>
 void bring_back(const BroughtBack<typename L::Real>& brings, bool clamps,
                 Level<typename L::Real>& level) {
   using R = typename L::Real;
@@ -214,6 +229,7 @@ using Lanes = ScalarLanes<double>;
 extern const HitServices<Lanes::Real> kHitServices;
 const HitServices<Lanes::Real> kHitServices = {start_shadow_rays<Lanes>, start_light<Lanes>,
                                                find_shines<Lanes>, list_facing<Lanes>,
-                                               add_arriving<Lanes>, bring_back<Lanes>};
+                                               add_arriving<Lanes>, find_exponentials<Lanes>,
+                                               bring_back<Lanes>};
 
 }  // namespace zraka::ZRAKA_ISA

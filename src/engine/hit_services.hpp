@@ -36,6 +36,9 @@ struct HitServices {
   /// Adds a light's terms to hits that are lit.
   void (*add_arriving)(const V3<R>& color, const Terms& terms, Level<R>& level,
                        const Scratch<R>& scratch, const ArrivingLight& arriving);
+  /// e^x of n numbers, to elementary::exp()'s bits; -1 where that has to be asked for by itself.
+  /// Whether it has anywhere.
+  bool (*find_exponentials)(std::size_t n, const double* x, double* powers);
   /// The colours of the rays of all hits.
   void (*bring_back)(const BroughtBack<R>& brings, bool clamps, Level<R>& level);
 };

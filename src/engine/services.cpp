@@ -2,7 +2,6 @@
 // What the general engine asks of one instruction set. CMake compiles this file once for each, like
 // engine/kernel.cpp.
 #include "engine/hemisphere.hpp"
-#include "engine/hit_services.hpp"
 #include "engine/hits.hpp"
 #include "engine/shading.hpp"
 #include "engine/shadow_order.hpp"
@@ -31,6 +30,7 @@ void make_rays(const FrozenCamera<Lanes::Real>& camera, const InverseFilter* fil
 
 }  // namespace
 
+extern const HitServices<Lanes::Real> kHitServices;
 extern const Services<Lanes::Real> kServices;
 const Services<Lanes::Real> kServices = {find_hits, find_blocked_in_order<Lanes>,
                                          make_hemisphere<Lanes::Real>,

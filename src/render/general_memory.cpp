@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/general_memory.hpp"
 
+#include <algorithm>
+
 namespace zraka {
 
 template <class R>
@@ -30,6 +32,14 @@ GeneralMemory<R>::GeneralMemory(std::int32_t batch, std::int32_t shadow_rays,
       channel.resize(size + kArrayPadding);
   }
   workspace_.blocked_hits.resize(size + kArrayPadding);
+  if (has_media(*scene.optics)) workspace_.in_absorber.resize(size);
+  for (std::vector<double>* numbers : {&workspace_.exponents, &workspace_.powers})
+    numbers->resize(3 * size + kArrayPadding);
+  workspace_.draws = scene.optics->occlusion_samples > 0 ||
+                     std::any_of(scene.optics->lights, scene.optics->lights + scene.light_count,
+                                 [](const OpticalLight& light) {
+                                   return light.kind >= LightKind::rectangle;
+                                 });
   workspace_.through = through_.workspace().levels[0];
   workspace_.through_scratch = through_.workspace().scratch;
   workspace_.room = batch;

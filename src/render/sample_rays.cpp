@@ -26,7 +26,6 @@ SampleRays<R>::SampleRays(const FrozenCamera<R>& camera, const Profile& profile,
       in_pixel_(profile.average_corners && !(camera.is_plain() && sampling.is_single()) ? 0.5 : 0) {
   const auto count = static_cast<std::uint32_t>(sampling.count);
   count_ = sampling.kind == Sampling::Kind::grid ? count * count : count;
-  if (!is_drawn_) only_ = fixed_offset(0);
   // Together the samples' cones are as wide as the pixel's.
   cone_scale_ = 1 / std::sqrt(static_cast<double>(count_));
 }

@@ -44,16 +44,31 @@ class SampleRays {
   /// Samples [first, first + count) of a pixel, to places from `index` on.
   void add(std::int32_t x, std::int32_t y, std::uint32_t first, std::uint32_t count,
            Workspace<R>& workspace, SampleBatch& batch, std::int32_t index) const;
-  /// A pixel's only sample, likewise.
-  void add_only(std::int32_t x, std::int32_t y, Workspace<R>& workspace, SampleBatch& batch,
-                std::int32_t index) const {
-    if (is_drawn_) return add(x, y, 0, 1, workspace, batch, index);
-    const RayArrays<R>& rays = workspace.levels[0].rays;
-    rays.dx[index] = static_cast<R>(x + in_pixel_) + static_cast<R>(only_.x);
-    rays.dy[index] = static_cast<R>(y + in_pixel_) + static_cast<R>(only_.y);
-    batch.negative[static_cast<std::size_t>(index)] = only_.negative;
-    if (names_samples_) workspace.samples[index] = {x, y, 0};
-  }
+  /// Whether add() puts each pixel's first sample to the same place in it: FixedPlaces does so, too.
+  bool places_are_fixed() const { return in_batches_ && !is_drawn_; }
+  class FixedPlaces {
+   public:
+    FixedPlaces(const SampleRays& samples, Workspace<R>& workspace, SampleBatch& batch)
+        : dx_(workspace.levels[0].rays.dx),
+          dy_(workspace.levels[0].rays.dy),
+          samples_(workspace.samples),
+          negative_(batch.negative.data()),
+          in_pixel_(samples.in_pixel_),
+          first_(samples.fixed_offset(0)) {}
+    void put(std::int32_t x, std::int32_t y, std::int32_t index) const {
+      dx_[index] = static_cast<R>(x + in_pixel_) + static_cast<R>(first_.x);
+      dy_[index] = static_cast<R>(y + in_pixel_) + static_cast<R>(first_.y);
+      negative_[index] = first_.negative;
+      samples_[index] = {x, y, 0};
+    }
+
+   private:
+    R *dx_, *dy_;
+    CameraSample* samples_;
+    std::uint8_t* negative_;
+    const double in_pixel_;
+    const FilterOffset first_;
+  };
   /// The rays of the first n.
   void make_all(const Services<R>& services, std::int32_t n, Workspace<R>& workspace,
                 SampleBatch& batch) const;
@@ -77,7 +92,6 @@ class SampleRays {
   const bool names_samples_;
   const double in_pixel_;  ///< corners that are averaged are around the pixel, not its place
   std::uint32_t count_;
-  FilterOffset only_{};  ///< of samples that are their pixels' only ones
   double cone_scale_;
 };
 

@@ -93,9 +93,8 @@ class Spawner {
     const V3<R> weight = seen * share;
     const TraceSettings& settings = batch_.settings;
     const V3<R>& counts = settings.cut_by_share ? share : weight;
-    const double most = static_cast<double>(
-        most_of(V3<R>{std::fabs(counts.x), std::fabs(counts.y), std::fabs(counts.z)}));
-    if (settings.min_contribution > 0 && most * settings.brightest < settings.min_contribution) {
+    if (settings.min_contribution > 0 &&
+        static_cast<double>(most_size(counts)) * settings.brightest < settings.min_contribution) {
       const auto brightest = static_cast<R>(settings.brightest);
       hit.missing = hit.missing +
                     V3<R>{std::fabs(share.x), std::fabs(share.y), std::fabs(share.z)} * brightest;
@@ -114,7 +113,8 @@ class Spawner {
     ray.share = share;
     ray.weight = weight;
     ray.cut = R(0);
-    ray.key = hash(parent.key, static_cast<std::uint32_t>(hit.child_count) + 1u);
+    if (batch_.general.draws)
+      ray.key = hash(parent.key, static_cast<std::uint32_t>(hit.child_count) + 1u);
     ray.sample = parent.sample;
     ray.wavelength = wavelength;
     ray.kind = kind;

@@ -8,80 +8,9 @@
 #include "engine/coefficients.hpp"
 #include "engine/general/cuts.hpp"
 #include "engine/general/sky.hpp"
-#include "math/elementary.hpp"
 #include "sampling/hash.hpp"
 
 namespace zraka::general {
-namespace {
-
-bool holds(const auto& shapes, std::int32_t slot) {
-  return slot >= shapes.first_slot && slot < shapes.first_slot + shapes.count;
-}
-
-/// The scene, or the group that a shape stands in.
-template <class R>
-const FrozenScene<R>& home_of(const FrozenScene<R>& scene, const HitPath& path) {
-  return path.group == nullptr ? scene : *static_cast<const FrozenScene<R>*>(path.group);
-}
-
-}  // namespace
-
-template <class R>
-bool is_loose_triangle(const FrozenScene<R>& scene, const HitPath& path) {
-  const auto is_in = [&](const auto& shapes) { return holds(shapes, path.slot); };
-  return path.depth == 0 && (is_in(scene.triangles) || is_in(scene.smooth_triangles));
-}
-
-template <class R>
-bool has_inside(const FrozenScene<R>& scene, const HitPath& path) {
-  const FrozenScene<R>& home = home_of(scene, path);
-  const auto is_in = [&](const auto& shapes) { return holds(shapes, path.slot); };
-  if (is_in(home.spheres) || is_in(home.anchored_spheres)) return true;
-  if (is_in(home.triangles) || is_in(home.smooth_triangles)) return path.depth > 0;
-  if (!is_in(home.bodies)) return false;  // sides of cones and cylinders
-  const std::int32_t body = path.slot - home.bodies.first_slot;
-  switch (home.bodies.type[body]) {
-    case kTypeParallelogram:
-    case kTypeDisc:
-      return false;
-    case kTypeFrustum:  // its last number says whether it has caps
-      return home.bodies.numbers[home.bodies.start[body] + kBodyNumbers + 2] > 0;
-    default:
-      return true;
-  }
-}
-
-template <class R>
-std::uint64_t body_of(const FrozenScene<R>& scene, const HitPath& path, std::int32_t material) {
-  std::uint64_t key = 0;
-  const auto mix = [&](std::int32_t more) {
-    key = (key ^ static_cast<std::uint32_t>(more)) * 0x9E3779B97F4A7C15u;
-    key ^= key >> 29;
-  };
-  for (std::int32_t i = 0; i < path.depth; ++i) mix(path.instance[i] + 1);
-  const FrozenScene<R>& home = home_of(scene, path);
-  const auto is_in = [&](const auto& shapes) { return holds(shapes, path.slot); };
-  if (is_in(home.triangles) || is_in(home.smooth_triangles))
-    mix(-2 - material);
-  else
-    mix(path.slot + 1);
-  return key;
-}
-
-std::int32_t medium_of(const Inside& inside, const OpticalMaterial* materials) {
-  std::int32_t best = -1;
-  for (std::int32_t i = 0; i < inside.count; ++i) {
-    const std::int32_t material = inside.list[i].material;
-    if (best < 0 || materials[material].priority >= materials[best].priority) best = material;
-  }
-  return best;
-}
-
-V3<double> transmittance_of(const V3<double>& absorption, double distance) {
-  const auto left = [&](double a) { return a > 0 ? elementary::exp(-a * distance) : 1.0; };
-  return {left(absorption.x), left(absorption.y), left(absorption.z)};
-}
-
 namespace {
 
 /// Whether the medium is the same before and behind a hit: then the surface is none for light, and
@@ -168,26 +97,6 @@ void start_state(const Batch<R>& batch, std::size_t h) {
   hit.cap = batch.cap_of(h);
 }
 
-/// What the way to a hit leaves of its light, through what the ray is inside of; which that is.
-template <class R>
-std::int32_t pass_medium(const Batch<R>& batch, std::size_t h, double length) {
-  const OpticalMaterial* const materials = batch.optics().materials;
-  Inside& inside = batch.inside_of(h);
-  // What a ray leaves it has been inside of, whether or not it is known how it came in.
-  if (batch.from_inside(h) && lets_in(batch.material(h)) &&
-      has_inside(batch.scene, batch.scratch.paths[h])) {
-    const std::int32_t material = batch.scratch.material[h];
-    inside.enter({body_of(batch.scene, batch.scratch.paths[h], material), material});
-  }
-  const std::int32_t medium = medium_of(inside, materials);
-  V3<R> left{R(1), R(1), R(1)};
-  if (medium >= 0 && materials[medium].absorbs())
-    left = narrowed<R>(transmittance_of(materials[medium].absorption, length));
-  auto& t = batch.columns.transmittance;
-  t[0][h] = left.x, t[1][h] = left.y, t[2][h] = left.z;
-  return medium;
-}
-
 /// Nearest hits, surfaces, and what rays come through; what hits nothing has the sky's colour.
 template <class R>
 void find_hits(const Batch<R>& batch) {
@@ -203,7 +112,6 @@ void find_hits(const Batch<R>& batch) {
   batch.counts.hits += batch.hit_count();
   find_sky(batch);
 
-  const bool foggy = batch.optics().fog.kind != Fog::Kind::none;
   batch.columns.parents.clear();
   for (std::size_t h = 0; h < batch.hit_count() && batch.listens(); ++h) {
     start_state(batch, h);
@@ -212,18 +120,8 @@ void find_hits(const Batch<R>& batch) {
     batch.hits[h].clear = R(1);
     batch.columns.parents.push_back(static_cast<std::int32_t>(h));
   }
-  for (std::size_t h = 0; h < batch.hit_count() && (batch.has_media() || foggy); ++h) {
-    const std::int32_t of = level.hits.ray[h];
-    const auto length = static_cast<double>(batch.scratch.t[of]);
-    if (foggy)
-      batch.columns.clear[h] =
-          clear_share_of(batch, static_cast<std::size_t>(level.done + of), length);
-    const std::int32_t medium = batch.has_media() ? pass_medium(batch, h, length) : -1;
-    if (!batch.listens()) continue;
-    batch.hits[h].medium = medium;
-    if (batch.has_media()) batch.hits[h].transmittance = batch.transmittance_of(h);
-    if (foggy) batch.hits[h].clear = batch.columns.clear[h];
-  }
+  if (batch.has_media()) pass_media(batch);
+  if (batch.optics().fog.kind != Fog::Kind::none) pass_fog(batch);
 }
 
 /// Those hits whose material has children at all. Listeners have been given all.
@@ -354,8 +252,9 @@ void start_rays(const TraceSettings& settings, const Workspace<R>& workspace,
     RayState<R>& ray = general.rays[0][static_cast<std::size_t>(i)];
     ray.share = ray.weight = {R(1), R(1), R(1)};
     ray.cut = R(0);
-    ray.key = hash(settings.seed, static_cast<std::uint32_t>(from.x),
-                   static_cast<std::uint32_t>(from.y));
+    ray.key = general.draws ? hash(settings.seed, static_cast<std::uint32_t>(from.x),
+                                   static_cast<std::uint32_t>(from.y))
+                            : 0;
     ray.sample = from.number;
     ray.wavelength = -1;
     ray.kind = RayKind::camera;
@@ -421,9 +320,6 @@ void trace_rays(const FrozenScene<R>& scene, const TraceSettings& settings,
 }
 
 #define ZRAKA_FOR(R)                                                                          \
-  template bool is_loose_triangle(const FrozenScene<R>&, const HitPath&);                     \
-  template bool has_inside(const FrozenScene<R>&, const HitPath&);                            \
-  template std::uint64_t body_of(const FrozenScene<R>&, const HitPath&, std::int32_t);        \
   template void trace_rays(const FrozenScene<R>&, const TraceSettings&, const Services<R>&,   \
                            Workspace<R>&, GeneralWorkspace<R>&, RayCounts&);
 ZRAKA_FOR(float)

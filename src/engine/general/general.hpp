@@ -26,8 +26,8 @@ struct Medium {
 /// forgotten.
 struct Inside {
   static constexpr int kMost = 8;
+  std::int32_t count;  ///< beside the first of them
   Medium list[kMost];  ///< no values beyond `count`: rays are made by the million
-  std::int32_t count;
 
   Inside() : count(0) {}
   Inside(const Inside& other) : count(0) { *this = other; }
@@ -184,7 +184,10 @@ struct GeneralWorkspace {
   std::vector<LightSum<R>> sums;  ///< where somebody listens
   /// What ArrivingLight points to, and by shadow ray what is in the light's direction.
   std::vector<double> distance, strength, l_n, cosine, highlight;
-  std::vector<std::int32_t> blocked_hits;  ///< HitServices::drop_blocked()
+  std::vector<std::int32_t> blocked_hits;  ///< Services::drop_blocked()
+  std::vector<std::int32_t> absorbed;      ///< hits that rays come to through what absorbs
+  std::vector<std::uint8_t> in_absorber;   ///< by hit, whether it is one of these
+  std::vector<double> exponents, powers;   ///< of what media and fog leave
   std::vector<V3<R>> occlusion;
   std::vector<std::int32_t> samples;  ///< of occlusion, by hit
   std::vector<std::int32_t> caps;     ///< HitState::cap while hits are found
@@ -201,6 +204,7 @@ struct GeneralWorkspace {
   std::size_t shadow_room;  ///< for what waits
   Inside at_eye;          ///< what the eye is inside of
   bool knows_eye = false;
+  bool draws = false;  ///< anything at random: rays have keys
   Listener<R>* listener = nullptr;
 };
 

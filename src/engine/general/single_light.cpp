@@ -54,7 +54,7 @@ void trace_listed(const Batch<R>& batch, std::size_t n) {
   if (batch.optics().absorbing && may_be_passed(batch)) {
     for (std::size_t i = 0; i < left; ++i) {
       const std::int32_t hit = scratch.shadow_ray_hit[i];
-      if (!starts_in_absorber(batch, static_cast<std::size_t>(hit))) continue;
+      if (batch.general.in_absorber[static_cast<std::size_t>(hit)] == 0) continue;
       scratch.lit[hit] = R(0);
       blocked[followed++] = hit;
     }

@@ -31,15 +31,22 @@ V3<R> sky_color(const FrozenScene<R>& scene, const V3<double>& direction) {
   return scene.background;
 }
 
+/// How long a ray is for fog.
+template <class R>
+double length_in_fog(const Batch<R>& batch, std::size_t ray, double length) {
+  const OpticalFog& fog = batch.optics().fog;
+  if (!fog.planar || batch.rays[ray].kind != RayKind::camera) return length;
+  return length *
+         dot(three(batch.level.rays.dx, batch.level.rays.dy, batch.level.rays.dz, ray), fog.ahead);
+}
+
 /// What fog leaves of the colour of a ray that is so long; infinite: it hits nothing.
 template <class R>
 R clear_share_of(const Batch<R>& batch, std::size_t ray, double length) {
   const OpticalFog& fog = batch.optics().fog;
   if (fog.kind == Fog::Kind::none) return R(1);
   if (fog.planar && !(length < std::numeric_limits<double>::infinity())) return R(1);
-  if (fog.planar && batch.rays[ray].kind == RayKind::camera)
-    length *= dot(three(batch.level.rays.dx, batch.level.rays.dy, batch.level.rays.dz, ray), fog.ahead);
-  return static_cast<R>(clear_share(fog, length));
+  return static_cast<R>(clear_share(fog, length_in_fog(batch, ray, length)));
 }
 
 template <class R>

@@ -107,6 +107,18 @@ V3<double> transmittance_of(const V3<double>& absorption, double distance);
 
 /// What fog leaves of light after a length; 1 without fog.
 double clear_share(const OpticalFog& fog, double length);
+/// Where that is e to the power of something, what that is.
+double fog_exponent(const OpticalFog& fog, double length);
+inline bool has_exponent(const OpticalFog& fog) {
+  return fog.kind == Fog::Kind::exponential || fog.kind == Fog::Kind::squared;
+}
+
+/// What is left of light on the ways to all hits, through what rays are inside of.
+template <class R>
+void pass_media(const Batch<R>& batch);
+/// What fog leaves of the colours of all hits.
+template <class R>
+void pass_fog(const Batch<R>& batch);
 
 /// k2 of a hit: the texture's, or the material's.
 template <class R>
