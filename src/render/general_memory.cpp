@@ -35,6 +35,10 @@ GeneralMemory<R>::GeneralMemory(std::int32_t batch, std::int32_t shadow_rays,
   if (has_media(*scene.optics)) workspace_.in_absorber.resize(size);
   for (std::vector<double>* numbers : {&workspace_.exponents, &workspace_.powers})
     numbers->resize(3 * size + kArrayPadding);
+  const FrozenBodies& bodies = scene.bodies;
+  workspace_.has_groups =
+      std::any_of(bodies.type, bodies.type + bodies.count,
+                  [](std::int32_t type) { return type == kTypeInstance; });
   workspace_.draws = scene.optics->occlusion_samples > 0 ||
                      std::any_of(scene.optics->lights, scene.optics->lights + scene.light_count,
                                  [](const OpticalLight& light) {

@@ -89,7 +89,7 @@ void start_state(const Batch<R>& batch, std::size_t h) {
   forget_children(hit);
   hit.body = 0;
   hit.enclosing = false;
-  if (batch.has_media() || batch.listens()) {
+  if (batch.listens() || (batch.has_media() && lets_in(batch.material(h)))) {
     hit.body = body_of(batch.scene, batch.scratch.paths[h], batch.scratch.material[h]);
     hit.enclosing = has_inside(batch.scene, batch.scratch.paths[h]);
   }
@@ -104,9 +104,13 @@ void find_hits(const Batch<R>& batch) {
   const bool may_go_through = batch.optics().nested || batch.optics().cut_count > 0;
   Scratch<R> found = batch.scratch;
   // The ways to hits take long to write.
-  if (!(batch.has_media() || may_go_through || batch.listens() || batch.scene.textures != nullptr))
-    found.paths = nullptr;
+  const bool asks_ways = (batch.has_media() && batch.general.has_groups) || may_go_through ||
+                         batch.listens() || batch.scene.textures != nullptr;
+  if (!asks_ways) found.paths = nullptr;
   batch.services.find_hits(batch.scene, level, found);
+  for (std::size_t h = 0; h < batch.hit_count() && batch.has_media() && !asks_ways; ++h)
+    if (lets_in(batch.material(h)))
+      start_path(found.slot[level.hits.ray[h]], batch.scratch.paths[h]);
   batch.general.caps.clear();
   if (may_go_through) pass_hidden_surfaces(batch);
   batch.counts.hits += batch.hit_count();

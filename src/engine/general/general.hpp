@@ -204,7 +204,8 @@ struct GeneralWorkspace {
   std::size_t shadow_room;  ///< for what waits
   Inside at_eye;          ///< what the eye is inside of
   bool knows_eye = false;
-  bool draws = false;  ///< anything at random: rays have keys
+  bool draws = false;       ///< anything at random: rays have keys
+  bool has_groups = false;  ///< ways to hits lead through instances
   Listener<R>* listener = nullptr;
 };
 

@@ -190,9 +190,12 @@ void find_next(const Batch<R>& batch, std::size_t first, std::size_t n) {
   level.ray_count = level.in_batch = static_cast<std::int32_t>(n);
   level.done = 0;
   Scratch<R> found = scratch;
-  if (!keeps_history(batch) && !batch.listens() && !batch.optics().textured_passing)
-    found.paths = nullptr;  // nobody asks
+  const bool asks_ways = batch.listens() || batch.optics().textured_passing ||
+                         (keeps_history(batch) && general.has_groups);
+  if (!asks_ways) found.paths = nullptr;
   batch.services.find_hits(batch.scene, level, found);
+  for (std::int32_t h = 0; h < level.hit_count && keeps_history(batch) && !asks_ways; ++h)
+    start_path(found.slot[level.hits.ray[h]], scratch.paths[h]);
   if (batch.optics().textured_passing) {
     take_coefficients(batch.scene, level, scratch);
   } else {

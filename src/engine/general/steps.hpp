@@ -84,6 +84,14 @@ struct Batch {
   bool from_inside(std::size_t h) const { return scratch.inside[h] > R(0); }
 };
 
+/// In place of a way to a hit that has not been written, where there are no groups: all that what
+/// follows asks of it.
+inline void start_path(std::int32_t slot, HitPath& path) {
+  path.group = nullptr;
+  path.slot = slot;
+  path.depth = 0;
+}
+
 /// Which body a hit belongs to: a shape of the scene; of a group where it stands; all triangles of
 /// one material in a group, which are one mesh.
 template <class R>
