@@ -53,7 +53,7 @@ struct LitHits {
       arriving.distance[h] = h % 11 == 0 ? std::numeric_limits<double>::infinity() : 5.0;
       arriving.strength[h] = h % 5 == 0 ? 0 : random.unit();
       arriving.l_n[h] = h % 7 == 0 ? 0 : 2 * random.unit() - 1;
-      level().hits.ray[h] = static_cast<std::int32_t>((h * 17) % kHitSize);
+      level().hits.ray[h] = static_cast<std::int32_t>((h * 19) % kHitSize);
       s().material[h] = static_cast<std::int32_t>((h / 30 * 31) % kHitSize);
       R* const row = rows.data() + h * kMaterialReals;
       for (int c = 0; c < 3; ++c) {
@@ -163,6 +163,23 @@ void expect_brought_back(const Services<R>& services, bool clamps, bool dims,
   }
 }
 
+template <class R>
+void expect_exponentials(const Services<R>& services, std::string_view name) {
+  Random random{3};
+  std::vector<double> x(kHitSize + kArrayPadding), powers(kHitSize + kArrayPadding);
+  for (std::size_t i = 0; i < kHitSize; ++i)
+    x[i] = i % 9 == 0 ? 0 : -std::pow(10, 8 * random.unit() - 5);
+  bool unknown = false;
+  EXPECT_TRUE(services.hits->find_exponentials(kHitSize, x.data(), powers.data())) << name;
+  for (std::size_t i = 0; i < kHitSize; ++i) {
+    unknown = unknown || powers[i] < 0;
+    ASSERT_EQ(powers[i], x[i] < -700 ? -1 : elementary::exp(x[i])) << name << " " << x[i];
+  }
+  EXPECT_TRUE(unknown) << name;
+  x.assign(x.size(), -1);
+  EXPECT_FALSE(services.hits->find_exponentials(kHitSize, x.data(), powers.data())) << name;
+}
+
 /// Calls it with the services of all instruction sets, and their names.
 void with_all(const auto& function) {
   for (const Isa isa : available_isas()) function(*kernel_of(isa).services, name_of(isa));
@@ -179,6 +196,12 @@ TEST(HitServices, AddLightAsHitByHit) {
 
 TEST(HitServices, StartShadowRaysInDouble) {
   with_all([](const auto& services, std::string_view name) { expect_origins(services, name); });
+}
+
+TEST(HitServices, HaveTheBitsOfExp) {
+  with_all([](const auto& services, std::string_view name) {
+    expect_exponentials(services, name);
+  });
 }
 
 TEST(HitServices, BringBackWhatMediaAndFogLeave) {
