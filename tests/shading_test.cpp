@@ -13,6 +13,7 @@
 #include "math/elementary.hpp"
 #include "render/isa.hpp"
 #include "render/workspace.hpp"
+#include "sampling/warp.hpp"
 
 namespace zraka {
 namespace {
@@ -189,6 +190,82 @@ TEST(Shading, HasTheLightThatArrives) {
     for (const Isa isa : available_isas())
       expect_arriving(*kernel_of(isa).services, each, name_of(isa));
     expect_arriving(isa_oracle::kServices, each, "oracle");
+  }
+}
+
+/// A point on a light that is a surface.
+V3<double> point_on(const OpticalLight& light, const V3<double>& seen_from, const Point2& at) {
+  if (light.kind == LightKind::rectangle)
+    return light.position + light.edge_u * at.u + light.edge_v * at.v;
+  const DiscPoint on = quick_concentric_disc(at);
+  if (light.kind == LightKind::disc)
+    return light.position + light.edge_u * on.x + light.edge_v * on.y;
+  const V3<double> way = light.position - seen_from;
+  const double away = std::sqrt(dot(way, way));
+  if (!(away > light.radius)) return light.position;
+  const V3<double> axis = way * (1 / away);
+  V3<double> a{}, b{};
+  basis_of(axis, a, b);
+  const double sine = light.radius / away, cosine = std::sqrt(1 - sine * sine);
+  return light.position - axis * (light.radius * sine) +
+         (a * on.x + b * on.y) * (light.radius * cosine);
+}
+
+template <class R>
+void expect_samples(const Services<R>& services, const OpticalLight& light,
+                    std::string_view name) {
+  Hits<R> hits;
+  Scratch<R>& s = hits.scratch();
+  constexpr std::size_t kSize = kCount + kArrayPadding;
+  std::vector<std::uint32_t> shuffle(kSize), u(kSize), v(kSize), number(kSize);
+  std::vector<R> dx(kSize), dy(kSize), dz(kSize), distance(kSize), strength(kSize);
+  std::vector<double> l_n(kSize);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const Sobol2 points(static_cast<std::uint32_t>(i / 5));
+    shuffle[i] = points.shuffle, u[i] = points.scramble_u, v[i] = points.scramble_v;
+    number[i] = static_cast<std::uint32_t>(i * 77);
+  }
+  services.sample_light(light, {shuffle.data(), u.data(), v.data(), number.data()},
+                        s.shadow_ray_hit, kCount, s,
+                        {dx.data(), dy.data(), dz.data(), distance.data(), strength.data(),
+                         l_n.data()});
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const auto h = static_cast<std::size_t>(s.shadow_ray_hit[i]);
+    const V3<double> point = at(s.px, s.py, s.pz, h), normal = at(s.nx, s.ny, s.nz, h);
+    const Point2 place = Sobol2(static_cast<std::uint32_t>(i / 5))[number[i]];
+    OpticalLight there = light;
+    there.kind = LightKind::point;
+    there.position = point_on(light, point, place);
+    const Arrives wanted = arrives(there, point);
+    ASSERT_EQ(dx[i], static_cast<R>(wanted.to.x)) << name << i;
+    ASSERT_EQ(dy[i], static_cast<R>(wanted.to.y)) << name << i;
+    ASSERT_EQ(dz[i], static_cast<R>(wanted.to.z)) << name << i;
+    ASSERT_EQ(distance[i], static_cast<R>(wanted.distance)) << name << i;
+    ASSERT_EQ(strength[i], static_cast<R>(wanted.strength)) << name << i;
+    ASSERT_EQ(l_n[i], dot(wanted.to, normal)) << name << i;
+  }
+}
+
+TEST(Shading, HasTheSamplesOfSurfacesThatShine) {
+  OpticalLight light{};
+  light.position = {0.5, 1.5, -2};
+  light.edge_u = {0.25, 0.5, -1}, light.edge_v = {1, 0, 0.125};
+  light.radius = 1.75;  // some of the hits are in it
+  light.constant = 1;
+  std::vector<OpticalLight> lights;
+  for (const LightKind kind : {LightKind::rectangle, LightKind::disc, LightKind::sphere}) {
+    light.kind = kind;
+    lights.push_back(light);
+    lights.push_back(light);
+    lights.back().linear = 0.3, lights.back().quadratic = 0.07;
+    lights.push_back(light);
+    lights.back().position = {0, 0, 0};  // where some of the hits are
+    lights.back().edge_u = lights.back().edge_v = {0, 0, 0};
+  }
+  for (const OpticalLight& each : lights) {
+    for (const Isa isa : available_isas())
+      expect_samples(*kernel_of(isa).services, each, name_of(isa));
+    expect_samples(isa_oracle::kServices, each, "oracle");
   }
 }
 

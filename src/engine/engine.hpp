@@ -194,6 +194,16 @@ struct ArrivingLight {
   double* highlight = nullptr;  ///< HitServices::find_shines()
 };
 
+/// What arrives of many samples of a light that is a surface: places for a number each, and for
+/// kArrayPadding more.
+template <class R>
+struct ArrivingSamples {
+  R *dx, *dy, *dz;  ///< unit direction to the light
+  R* distance;      ///< at most kFarthest
+  R* strength;
+  double* l_n;  ///< L·N
+};
+
 /// As far as shadow rays of no end go.
 inline constexpr double kFarthest = 0x1p100;
 
@@ -212,6 +222,8 @@ struct Services {
   void (*find_hits)(const FrozenScene<R>& scene, Level<R>& level, Scratch<R>& scratch);
   /// Which of the first n shadow rays meet a shape before their end: scratch.blocked, 1 or 0.
   void (*find_blocked)(const FrozenScene<R>& scene, std::size_t n, Scratch<R>& scratch);
+  /// The same of rays that go the same way as those in front of them.
+  void (*find_blocked_as_listed)(const FrozenScene<R>& scene, std::size_t n, Scratch<R>& scratch);
   /// So many rays over the hemisphere around a normal, by the cosine: points of a sequence from
   /// `first` on. To the directions of shadow rays from number `at` on.
   void (*make_hemisphere)(const Sobol2& points, std::uint32_t first, std::size_t count,
@@ -219,6 +231,10 @@ struct Services {
   /// Of n hits, what arrives from a light that is no surface.
   void (*find_arriving)(const OpticalLight& light, std::size_t n, Scratch<R>& scratch,
                         const ArrivingLight& arriving);
+  /// What arrives of n samples of a light that is a surface, each at a hit of the scratch's. The
+  /// arrays that are read have kArrayPadding more places, with any values.
+  void (*sample_light)(const OpticalLight& light, const SampleKeys& keys, const std::int32_t* hit,
+                       std::size_t n, const Scratch<R>& scratch, const ArrivingSamples<R>& to);
   /// Of the first n shadow rays, (R·V)^n or (N·H)^n at their hits.
   void (*find_highlights)(std::size_t n, const Scratch<R>& scratch, double* highlights);
   /// Rays from the eye through n places in the picture, which stand where their directions will,

@@ -3,6 +3,7 @@
 // engine/kernel.cpp.
 #include "engine/hemisphere.hpp"
 #include "engine/hits.hpp"
+#include "engine/light_samples.hpp"
 #include "engine/shading.hpp"
 #include "engine/shadow_order.hpp"
 #include "engine/window_rays.hpp"
@@ -33,8 +34,10 @@ void make_rays(const FrozenCamera<Lanes::Real>& camera, const InverseFilter* fil
 extern const HitServices<Lanes::Real> kHitServices;
 extern const Services<Lanes::Real> kServices;
 const Services<Lanes::Real> kServices = {find_hits, find_blocked_in_order<Lanes>,
+                                         find_blocked_as_listed<Lanes>,
                                          make_hemisphere<Lanes::Real>,
                                          find_arriving<Lanes>,
+                                         sample_light<Lanes>,
                                          find_highlights<Lanes>, make_rays,
                                          drop_blocked<Lanes>, &kHitServices};
 

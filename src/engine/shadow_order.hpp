@@ -74,6 +74,33 @@ void find_blocked_in_order(const FrozenScene<R>& scene, std::size_t n, Scratch<R
   }
 }
 
+/// As Services::find_blocked_as_listed().
+template <class L, class R = typename L::Real>
+void find_blocked_as_listed(const FrozenScene<R>& scene, std::size_t n, Scratch<R>& scratch) {
+  using F = typename L::F;
+  using I = typename L::I;
+  LastBlocker last;
+  for (std::size_t first = 0; first < n; first += RayGroup<L>::kRays) {
+    RayGroup<L> rays(first, n, [&](std::size_t i) -> RayLanes<L> {
+      const std::int32_t h = scratch.shadow_ray_hit[i];
+      const I hit = select(L::first(n - i), L::load(scratch.shadow_ray_hit + i), I(h));
+      V3<F> origin{F(scratch.sox[h]), F(scratch.soy[h]), F(scratch.soz[h])};
+      if (!all(hit == I(h))) {
+        const Indices<L> at(hit);
+        origin = {at.load(scratch.sox), at.load(scratch.soy), at.load(scratch.soz)};
+      }
+      return {origin,
+              {L::load(scratch.sdx + i), L::load(scratch.sdy + i), L::load(scratch.sdz + i)},
+              L::load(scratch.sdistance + i),
+              I(-1)};
+    });
+    const std::uint32_t blocked = find_blocked<L>(scene, last, rays);
+    const std::size_t count = std::min(n - first, RayGroup<L>::kRays);
+    for (std::size_t i = 0; i < count; ++i)
+      scratch.blocked[first + i] = static_cast<std::int32_t>(blocked >> i & 1);
+  }
+}
+
 /// As Services::drop_blocked(): neighbouring hits' ways to one light need no order.
 template <class L>
 std::size_t drop_blocked(const FrozenScene<typename L::Real>& scene, std::size_t n,

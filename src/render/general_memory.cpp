@@ -48,11 +48,10 @@ GeneralMemory<R>::GeneralMemory(std::int32_t batch, std::int32_t shadow_rays,
   workspace_.through_scratch = through_.workspace().scratch;
   workspace_.room = batch;
   workspace_.shadow_room = static_cast<std::size_t>(shadow_rays);
-  workspace_.of_waiting.reserve(workspace_.shadow_room);
   workspace_.filter.reserve(workspace_.shadow_room);
-  workspace_.highlight.resize(workspace_.shadow_room + kArrayPadding);
+  workspace_.of_waiting.resize(workspace_.shadow_room + kArrayPadding);
   for (std::vector<double>* of_hits : {&workspace_.distance, &workspace_.strength, &workspace_.l_n,
-                                       &workspace_.cosine})
+                                       &workspace_.cosine, &workspace_.highlight})
     of_hits->resize(size + kArrayPadding);
 }
 

@@ -142,9 +142,17 @@ class Listener {
 /// What waits for its shadow ray, which stands in the scratch's arrays under the same number.
 template <class R>
 struct Waiting {
-  std::int32_t sample;
-  R l_n;
-  V3<R> radiance;
+  std::vector<double> l_n;
+  std::vector<R> strength;          ///< what distance and cone leave of the light
+  std::vector<double> highlight;    ///< where its hit shines at all
+  std::vector<std::int32_t> sample;  ///< of a light's; where somebody listens
+  /// What SampleKeys points to, of samples that have not been drawn yet.
+  std::vector<std::uint32_t> shuffle, u, v, number;
+
+  void resize(std::size_t size) {
+    l_n.resize(size), strength.resize(size), highlight.resize(size), sample.resize(size);
+    shuffle.resize(size), u.resize(size), v.resize(size), number.resize(size);
+  }
 };
 
 /// A shadow ray on its way through what it may pass.
@@ -192,8 +200,10 @@ struct GeneralWorkspace {
   std::vector<std::int32_t> samples;  ///< of occlusion, by hit
   std::vector<std::int32_t> caps;     ///< HitState::cap while hits are found
   std::size_t waiting = 0;            ///< shadow rays
-  std::vector<Waiting<R>> of_waiting;  ///< of a light's
-  std::vector<V3<R>> filter;           ///< what shadows leave of each that waits
+  Waiting<R> of_waiting;              ///< of a light's
+  bool by_highlight = false;  ///< some of them count only if their highlight does
+  std::vector<V3<R>> filter;  ///< what shadows leave of each that waits; empty: all of it
+  bool maybe_blocked = false;  ///< and nothing where Scratch::blocked says so
   std::vector<Walk<R>> walks;
   std::vector<WalkHistory> histories;     ///< of walks; as many as there have ever been at a time
   std::vector<std::int32_t> hit_of_walk;  ///< of a batch of walks; -1: none

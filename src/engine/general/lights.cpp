@@ -2,7 +2,9 @@
 // Local light of the general engine: lights of all kinds.
 #include "engine/general/lights.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "sampling/hash.hpp"
 #include "sampling/sobol.hpp"
@@ -67,39 +69,44 @@ Arriving arriving(const OpticalLight& light, const V3<double>& point, const Poin
   return arrives;
 }
 
-/// Whether light from there adds anything, if it arrives: clear glass shines where it mirrors the
-/// light, and nowhere else. The direction is in the engine's own numbers, as for highlights later.
+/// What light may add at a hit, as far as it depends on its material.
+struct Response {
+  bool diffuse, specular;
+};
+
 template <class R>
-bool counts(const Batch<R>& batch, std::size_t h, const V3<R>& own, double l_n) {
+Response response_at(const Batch<R>& batch, std::size_t h) {
   const R* const row = batch.row(h);
   const auto is_dark = [&](int column) {
     return row[column] == R(0) && row[column + 1] == R(0) && row[column + 2] == R(0);
   };
-  if (batch.settings.terms.diffuse && !is_dark(kDiffuse) && l_n > 0) return true;
-  if (!batch.settings.terms.specular || is_dark(kSpecular)) return false;
-  const double cosine = highlight_cosine(
-      batch, h,
-      {static_cast<double>(own.x), static_cast<double>(own.y), static_cast<double>(own.z)});
-  return cosine >= 0 && highlight_of(cosine, static_cast<double>(row[kShininess])) > 0;
+  return {batch.settings.terms.diffuse && !is_dark(kDiffuse),
+          batch.settings.terms.specular && !is_dark(kSpecular)};
 }
 
-/// The highlights of all that wait: general.highlight, kFacesAway where there is none.
+/// The highlights of all that wait, kFacesAway where there is none.
 template <class R>
 void find_highlights(const Batch<R>& batch) {
   GeneralWorkspace<R>& general = batch.general;
+  std::vector<double>& highlights = general.of_waiting.highlight;
   const Scratch<R>& scratch = batch.scratch;
-  const auto shines = [&](std::size_t i) {
-    const R* const row = batch.row(static_cast<std::size_t>(scratch.shadow_ray_hit[i]));
+  const auto shines = [&](std::size_t h) {
+    const R* const row = batch.row(h);
     return row[kSpecular] != R(0) || row[kSpecular + 1] != R(0) || row[kSpecular + 2] != R(0);
   };
   bool any = false;
-  for (std::size_t i = 0; i < general.waiting && !any; ++i) any = shines(i);
+  for (std::size_t h = 0; h < batch.hit_count() && !any; ++h) any = shines(h);
   if (!any) return;
-  batch.services.find_highlights(general.waiting, scratch, general.highlight.data());
+  batch.services.find_highlights(general.waiting, scratch, highlights.data());
+  // All or nearly all are known: counting is a loop of lanes.
+  std::size_t unknown = 0;
+  for (std::size_t i = 0; i < general.waiting; ++i)
+    unknown += highlights[i] == kUnknownHighlight ? 1 : 0;
+  if (unknown == 0) return;
   for (std::size_t i = 0; i < general.waiting; ++i) {
-    if (general.highlight[i] != kUnknownHighlight || !shines(i)) continue;
     const auto h = static_cast<std::size_t>(scratch.shadow_ray_hit[i]);
-    general.highlight[i] =
+    if (highlights[i] != kUnknownHighlight || !shines(h)) continue;
+    highlights[i] =
         highlight_of(highlight_cosine(batch, h, three(scratch.sdx, scratch.sdy, scratch.sdz, i)),
                      static_cast<double>(batch.row(h)[kShininess]));
   }
@@ -113,66 +120,198 @@ void tell_first_sample(const Batch<R>& batch, std::size_t i) {
   LightSum<R>& sum = batch.general.sums[h];
   const V3<R>& filter = batch.general.filter[i];
   if (!is_zero(filter)) ++sum.lit;
-  if (batch.general.of_waiting[i].sample != 0) return;
+  if (batch.general.of_waiting.sample[i] != 0) return;
   sum.filter = filter;
   const R* const row = batch.row(h);
   const V3<R> ks{row[kSpecular], row[kSpecular + 1], row[kSpecular + 2]};
   if (is_zero(filter) || !batch.settings.terms.specular || is_zero(ks)) return;
   sum.cosine = highlight_cosine(batch, h, three(scratch.sdx, scratch.sdy, scratch.sdz, i));
-  if (sum.cosine >= 0) sum.highlight = batch.general.highlight[i];
+  if (sum.cosine >= 0) sum.highlight = batch.general.of_waiting.highlight[i];
 }
 
-/// Adds what has arrived of one light to the sums of its hits.
+/// Lets those wait no longer that would add nothing: clear glass shines where it mirrors the light,
+/// and nowhere else.
 template <class R>
-void settle_light(const Batch<R>& batch) {
+void drop_dull(const Batch<R>& batch) {
+  GeneralWorkspace<R>& general = batch.general;
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < general.waiting; ++i) {
+    const auto h = static_cast<std::size_t>(batch.scratch.shadow_ray_hit[i]);
+    const bool diffuse = general.of_waiting.l_n[i] > 0 && response_at(batch, h).diffuse;
+    if (!diffuse && !(general.of_waiting.highlight[i] > 0)) continue;
+    move_waiting(batch, i, left++);
+  }
+  general.waiting = left;
+}
+
+/// Adds what has arrived of the light to the sums of its hits.
+template <class R>
+void add_arrived(const Batch<R>& batch, const V3<R>& color) {
   const Terms& terms = batch.settings.terms;
   GeneralWorkspace<R>& general = batch.general;
-  trace_waiting(batch);
-  if (terms.specular) find_highlights(batch);
-  for (std::size_t i = 0; i < general.waiting; ++i) {
-    if (general.listener != nullptr) tell_first_sample(batch, i);
-    const V3<R>& filter = general.filter[i];
-    if (is_zero(filter)) continue;
-    const Waiting<R>& one = general.of_waiting[i];
-    const auto h = static_cast<std::size_t>(batch.scratch.shadow_ray_hit[i]);
-    LightTerms<R>& sum = general.lit[h];
-    const V3<R> radiance = one.radiance * filter;
-    const R* const row = batch.row(h);
-    if (terms.diffuse)
-      sum.diffuse = sum.diffuse + radiance * V3<R>{row[kDiffuse], row[kDiffuse + 1], row[kDiffuse + 2]} *
-                                      one.l_n;
+  const Waiting<R>& waiting = general.of_waiting;
+  const std::int32_t* const hit = batch.scratch.shadow_ray_hit;
+  const bool filtered = !general.filter.empty();
+  const std::int32_t* const blocked = general.maybe_blocked ? batch.scratch.blocked : nullptr;
+  for (std::size_t i = 0; i < general.waiting;) {
+    const std::int32_t h = hit[i];
+    const R* const row = batch.row(static_cast<std::size_t>(h));
+    const V3<R> kd{row[kDiffuse], row[kDiffuse + 1], row[kDiffuse + 2]};
     const V3<R> ks{row[kSpecular], row[kSpecular + 1], row[kSpecular + 2]};
-    if (!terms.specular || is_zero(ks) || general.highlight[i] == kFacesAway) continue;
-    sum.specular = sum.specular + radiance * ks * static_cast<R>(general.highlight[i]);
+    const bool shines = terms.specular && !is_zero(ks);
+    LightTerms<R>& of_hit = general.lit[static_cast<std::size_t>(h)];
+    LightTerms<R> sum = of_hit;
+    for (; i < general.waiting && hit[i] == h; ++i) {
+      if (blocked != nullptr && blocked[i] != 0) continue;
+      V3<R> radiance = color * waiting.strength[i];
+      if (filtered) {
+        if (is_zero(general.filter[i])) continue;
+        radiance = radiance * general.filter[i];
+      }
+      if (terms.diffuse) sum.diffuse = sum.diffuse + radiance * kd * static_cast<R>(waiting.l_n[i]);
+      if (!shines || waiting.highlight[i] == kFacesAway) continue;
+      sum.specular = sum.specular + radiance * ks * static_cast<R>(waiting.highlight[i]);
+    }
+    of_hit = sum;
   }
+}
+
+/// Traces the shadow rays of a light that wait, and adds what arrives.
+template <class R>
+void settle_light(const Batch<R>& batch, std::int32_t index) {
+  GeneralWorkspace<R>& general = batch.general;
+  if (general.by_highlight) {
+    find_highlights(batch);
+    drop_dull(batch);
+  }
+  trace_waiting(batch, Order::as_listed);
+  if (batch.settings.terms.specular && !general.by_highlight) find_highlights(batch);
+  if (general.listener != nullptr)
+    for (std::size_t i = 0; i < general.waiting; ++i) tell_first_sample(batch, i);
+  add_arrived(batch, batch.scene.lights[index].color);
   general.waiting = 0;
-  general.of_waiting.clear();
+  general.by_highlight = false;
+}
+
+/// Whether a sample has to wait for its shadow ray. What arrives along the surface, or where it is
+/// black, shines at most.
+template <class R>
+bool must_wait(GeneralWorkspace<R>& general, const Response& response, double l_n,
+               const V3<R>& radiance) {
+  if (!(l_n >= 0) || is_zero(radiance)) return false;
+  if (general.listener != nullptr) return true;  // who explains wants to know of all of them
+  if (response.diffuse && l_n > 0) return true;
+  if (response.specular) general.by_highlight = true;
+  return response.specular;
 }
 
 /// Lets a sample's shadow ray wait; its direction is in the engine's own numbers.
 template <class R>
 void add_waiting(const Batch<R>& batch, std::size_t h, const V3<R>& to_light, double distance,
-                 const Waiting<R>& one) {
+                 double l_n, R strength, std::int32_t sample) {
   GeneralWorkspace<R>& general = batch.general;
   Scratch<R>& scratch = batch.scratch;
   const std::size_t i = general.waiting++;
   scratch.sdx[i] = to_light.x, scratch.sdy[i] = to_light.y, scratch.sdz[i] = to_light.z;
   scratch.sdistance[i] = static_cast<R>(std::fmin(distance, kFarthest));
   scratch.shadow_ray_hit[i] = static_cast<std::int32_t>(h);
-  general.of_waiting.push_back(one);
-  if (general.waiting == general.shadow_room) settle_light(batch);
+  general.of_waiting.l_n[i] = l_n;
+  general.of_waiting.strength[i] = strength;
+  general.of_waiting.sample[i] = sample;
 }
 
-/// All samples of a light, hit by hit.
+/// Whether of samples that have been drawn each comes from above with some radiance. A loop that
+/// the compiler makes lanes of.
+template <class R>
+bool all_useful(const Batch<R>& batch, std::size_t first, std::size_t last, R brightness) {
+  const Waiting<R>& waiting = batch.general.of_waiting;
+  const R* const strength = waiting.strength.data();
+  const double* const l_n = waiting.l_n.data();
+  std::int32_t useless = 0;
+  for (std::size_t i = first; i < last; ++i) useless += brightness * strength[i] > R(0) ? 0 : 1;
+  std::int64_t below = 0;
+  for (std::size_t i = first; i < last; ++i) below += l_n[i] > 0 ? 0 : 1;
+  return useless == 0 && below == 0;
+}
+
+/// Draws n samples that stand behind what waits, and lets those of them wait that have to.
+template <class R>
+void draw_samples(const Batch<R>& batch, std::int32_t index, std::size_t n) {
+  const V3<R>& color = batch.scene.lights[index].color;
+  GeneralWorkspace<R>& general = batch.general;
+  Waiting<R>& waiting = general.of_waiting;
+  Scratch<R>& scratch = batch.scratch;
+  const std::size_t at = general.waiting, end = at + n;
+  batch.services.sample_light(
+      batch.optics().lights[index],
+      {waiting.shuffle.data() + at, waiting.u.data() + at, waiting.v.data() + at,
+       waiting.number.data() + at},
+      scratch.shadow_ray_hit + at, n, scratch,
+      {scratch.sdx + at, scratch.sdy + at, scratch.sdz + at, scratch.sdistance + at,
+       waiting.strength.data() + at, waiting.l_n.data() + at});
+  for (std::size_t i = at; i < end;) {
+    const std::int32_t h = scratch.shadow_ray_hit[i];
+    const Response response = response_at(batch, static_cast<std::size_t>(h));
+    std::size_t last = i + 1;
+    while (last < end && scratch.shadow_ray_hit[last] == h) ++last;
+    if (response.diffuse && i == general.waiting && all_useful(batch, i, last, most_size(color))) {
+      general.waiting = i = last;
+      continue;
+    }
+    for (; i < last; ++i) {
+      if (!must_wait(general, response, waiting.l_n[i], color * waiting.strength[i])) continue;
+      if (i != general.waiting) move_waiting(batch, i, general.waiting);
+      ++general.waiting;
+    }
+  }
+}
+
+/// All samples of a light that is a surface.
 template <class R>
 void add_samples(const Batch<R>& batch, std::int32_t index) {
   const OpticalLight& light = batch.optics().lights[index];
+  GeneralWorkspace<R>& general = batch.general;
+  Waiting<R>& waiting = general.of_waiting;
+  const std::size_t room = general.shadow_room;
+  std::size_t undrawn = 0;
+  const auto draw = [&] {
+    draw_samples(batch, index, undrawn);
+    undrawn = 0;
+    if (general.waiting > room / 2) settle_light(batch, index);
+  };
+  for (std::size_t h = 0; h < batch.hit_count(); ++h) {
+    const RayState<R>& ray = batch.ray_of(h);
+    const std::int32_t samples = general.lit[h].samples = samples_for(light.samples, ray);
+    const Response response = response_at(batch, h);
+    if (!response.diffuse && !response.specular) continue;
+    const Sobol2 points(hash(ray.key, static_cast<std::uint32_t>(index), 0x11u));
+    std::uint32_t number = ray.sample * static_cast<std::uint32_t>(light.samples);
+    for (auto left = static_cast<std::size_t>(samples); left > 0;) {
+      const std::size_t at = general.waiting + undrawn, n = std::min(left, room - at);
+      std::fill_n(batch.scratch.shadow_ray_hit + at, n, static_cast<std::int32_t>(h));
+      std::fill_n(waiting.shuffle.data() + at, n, points.shuffle);
+      std::fill_n(waiting.u.data() + at, n, points.scramble_u);
+      std::fill_n(waiting.v.data() + at, n, points.scramble_v);
+      std::iota(waiting.number.data() + at, waiting.number.data() + at + n, number);
+      number += static_cast<std::uint32_t>(n);
+      undrawn += n;
+      left -= n;
+      if (at + n == room) draw();
+    }
+  }
+  draw();
+}
+
+/// The same of any light, one by one, for who explains.
+template <class R>
+void tell_samples(const Batch<R>& batch, std::int32_t index) {
+  const OpticalLight& light = batch.optics().lights[index];
   const V3<R>& color = batch.scene.lights[index].color;
   GeneralWorkspace<R>& general = batch.general;
+  const bool is_surface = light.kind >= LightKind::rectangle;
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     const RayState<R>& ray = batch.ray_of(h);
     const V3<double> point = batch.point(h), normal = batch.normal(h);
-    const bool is_surface = light.kind >= LightKind::rectangle;
     const Sobol2 points(
         is_surface ? hash(ray.key, static_cast<std::uint32_t>(index), 0x11u) : 0u);
     const std::int32_t samples = general.lit[h].samples = samples_for(light.samples, ray);
@@ -183,19 +322,16 @@ void add_samples(const Batch<R>& batch, std::int32_t index) {
                             : Point2{0.5, 0.5};
       const Arriving arrives = arriving(light, point, at);
       const double l_n = dot(arrives.to_light, normal);
-      const V3<R> radiance = color * static_cast<R>(arrives.strength);
-      if (general.listener != nullptr) {
-        LightSum<R>& sum = general.sums[h];
-        if (s == 0)
-          sum.to_light = arrives.to_light, sum.distance = arrives.distance, sum.l_n = l_n,
-          sum.radiance = radiance;
-        if (l_n >= 0) ++sum.facing;
-      }
-      if (!(l_n >= 0) || is_zero(radiance)) continue;
-      const V3<R> to_light = narrowed<R>(arrives.to_light);
-      // Whoever explains wants to know of all of them.
-      if (general.listener != nullptr || counts(batch, h, to_light, l_n))
-        add_waiting(batch, h, to_light, arrives.distance, {s, static_cast<R>(l_n), radiance});
+      const R strength = static_cast<R>(arrives.strength);
+      const V3<R> radiance = color * strength;
+      LightSum<R>& sum = general.sums[h];
+      if (s == 0)
+        sum.to_light = arrives.to_light, sum.distance = arrives.distance, sum.l_n = l_n,
+        sum.radiance = radiance;
+      if (l_n >= 0) ++sum.facing;
+      if (!must_wait(general, response_at(batch, h), l_n, radiance)) continue;
+      add_waiting(batch, h, narrowed<R>(arrives.to_light), arrives.distance, l_n, strength, s);
+      if (general.waiting == general.shadow_room) settle_light(batch, index);
     }
   }
 }
@@ -207,8 +343,11 @@ void add_light(const Batch<R>& batch, std::int32_t index) {
   Listener<R>* const listener = general.listener;
   general.lit.assign(batch.hit_count(), LightTerms<R>{});
   if (listener != nullptr) general.sums.assign(batch.hit_count(), LightSum<R>{});
-  add_samples(batch, index);
-  settle_light(batch);
+  if (listener != nullptr)
+    tell_samples(batch, index);
+  else
+    add_samples(batch, index);
+  settle_light(batch, index);
   for (std::size_t h = 0; h < batch.hit_count(); ++h) {
     LightTerms<R>& sum = general.lit[h];
     const R mean = R(1) / static_cast<R>(sum.samples);
@@ -232,7 +371,7 @@ void light_hits(const Batch<R>& batch) {
   const bool occluded = batch.optics().occlusion_samples > 0 && terms.ambient &&
                         terms.shadows && !terms.silhouette;
   general.waiting = 0;
-  general.of_waiting.clear();
+  general.by_highlight = false;
   find_shadow_origins(batch);
   if (occluded) find_occlusion(batch);
   batch.services.hits->start_light(batch.scene, terms, batch.level, batch.scratch);

@@ -15,13 +15,11 @@ void settle(const Batch<R>& batch) {
   const Scratch<R>& scratch = batch.scratch;
   const FrozenScene<R>* const deciding = deciding_scene(batch);
   if (deciding == nullptr) {
-    general.of_waiting.assign(general.waiting, Waiting<R>{});
-    trace_waiting(batch);
+    trace_waiting(batch, Order::by_direction);
     for (std::size_t i = 0; i < general.waiting; ++i) {
       V3<R>& sum = general.occlusion[static_cast<std::size_t>(scratch.shadow_ray_hit[i])];
       sum = sum + general.filter[i];
     }
-    general.of_waiting.clear();
   } else {
     batch.counts.shadow += general.waiting;
     batch.services.find_blocked(*deciding, general.waiting, batch.scratch);

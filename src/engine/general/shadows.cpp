@@ -74,7 +74,7 @@ void finish(const Batch<R>& batch, const Walk<R>& walk, const WalkHistory& histo
   filter = filter * left;
   if (batch.general.listener != nullptr)
     batch.general.listener->at_passed({batch.scratch.shadow_ray_hit[walk.entry],
-                                       batch.general.of_waiting[walk.entry].sample,
+                                       batch.general.of_waiting.sample[walk.entry],
                                        -1,
                                        nullptr,
                                        walk.walked + walk.left,
@@ -100,7 +100,7 @@ bool meet(const Batch<R>& batch, std::size_t h, std::int32_t slot, double t, Wal
                                              : V3<R>{};
   walk.walked += t;
   Passed<R> passed{batch.scratch.shadow_ray_hit[walk.entry],
-                   general.of_waiting[walk.entry].sample,
+                   general.of_waiting.sample[walk.entry],
                    slot,
                    &scratch.paths[h],
                    walk.walked,
@@ -296,28 +296,27 @@ namespace {
 template <class R>
 void drop_blocked(const Batch<R>& batch) {
   GeneralWorkspace<R>& general = batch.general;
-  Scratch<R>& scratch = batch.scratch;
   std::size_t left = 0;
   for (std::size_t i = 0; i < general.waiting; ++i) {
-    if (scratch.blocked[i] != 0) continue;
-    scratch.sdx[left] = scratch.sdx[i];
-    scratch.sdy[left] = scratch.sdy[i];
-    scratch.sdz[left] = scratch.sdz[i];
-    scratch.sdistance[left] = scratch.sdistance[i];
-    scratch.shadow_ray_hit[left] = scratch.shadow_ray_hit[i];
-    general.of_waiting[left] = general.of_waiting[i];
-    ++left;
+    move_waiting(batch, i, left);
+    left += batch.scratch.blocked[i] == 0 ? 1 : 0;
   }
   general.waiting = left;
-  general.of_waiting.resize(left);
-  general.filter.resize(left);
+}
+
+/// Which of all that wait a scene blocks.
+template <class R>
+void find_blocked(const Batch<R>& batch, const FrozenScene<R>& scene, Order order) {
+  const auto find = order == Order::as_listed ? batch.services.find_blocked_as_listed
+                                              : batch.services.find_blocked;
+  find(scene, batch.general.waiting, batch.scratch);
 }
 
 /// Follows the ways of those that a scene blocks, and finds what is left of them: general.filter.
 template <class R>
-void follow_blocked(const Batch<R>& batch, const FrozenScene<R>& scene) {
+void follow_blocked(const Batch<R>& batch, const FrozenScene<R>& scene, Order order) {
   GeneralWorkspace<R>& general = batch.general;
-  batch.services.find_blocked(scene, general.waiting, batch.scratch);
+  find_blocked(batch, scene, order);
   general.walks.clear();
   for (std::size_t entry = 0; entry < general.waiting; ++entry)
     if (batch.scratch.blocked[entry] != 0 ||
@@ -330,26 +329,33 @@ void follow_blocked(const Batch<R>& batch, const FrozenScene<R>& scene) {
 }  // namespace
 
 template <class R>
-void trace_waiting(const Batch<R>& batch) {
+void trace_waiting(const Batch<R>& batch, Order order) {
   GeneralWorkspace<R>& general = batch.general;
   const Scratch<R>& scratch = batch.scratch;
-  general.filter.assign(general.waiting, V3<R>{R(1), R(1), R(1)});
+  general.filter.clear();
+  general.maybe_blocked = false;
+  const bool listens = batch.listens();
+  const auto fill = [&] { general.filter.assign(general.waiting, V3<R>{R(1), R(1), R(1)}); };
+  if (listens) fill();
   if (general.waiting == 0 || !batch.settings.terms.shadows) return;
   batch.counts.shadow += general.waiting;
   const Unfollowed<R> scenes(batch);
-  if (general.listener == nullptr) {
+  if (!listens) {
     if (scenes.dark != nullptr) {
-      batch.services.find_blocked(*scenes.dark, general.waiting, batch.scratch);
+      find_blocked(batch, *scenes.dark, order);
+      general.maybe_blocked = scenes.decide();
+      if (general.maybe_blocked) return;
       drop_blocked(batch);
     }
-    if (!scenes.decide()) follow_blocked(batch, *scenes.asked);
+    fill();
+    follow_blocked(batch, *scenes.asked, order);
     return;
   }
   // Who explains wants to know of all ways; what they come to is the same.
-  follow_blocked(batch, batch.scene);
+  follow_blocked(batch, batch.scene, order);
   const auto set = [&](const FrozenScene<R>* scene, bool blocked, R left) {
     if (scene == nullptr) return;
-    batch.services.find_blocked(*scene, general.waiting, batch.scratch);
+    find_blocked(batch, *scene, order);
     for (std::size_t i = 0; i < general.waiting; ++i)
       if ((scratch.blocked[i] != 0) == blocked) general.filter[i] = {left, left, left};
   };
@@ -360,7 +366,7 @@ void trace_waiting(const Batch<R>& batch) {
 #define ZRAKA_FOR(R)                                  \
   template void find_shadow_origins(const Batch<R>&); \
   template void follow_waiting(const Batch<R>&);      \
-  template void trace_waiting(const Batch<R>&);
+  template void trace_waiting(const Batch<R>&, Order);
 ZRAKA_FOR(float)
 ZRAKA_FOR(double)
 #undef ZRAKA_FOR

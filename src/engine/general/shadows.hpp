@@ -13,9 +13,29 @@ namespace zraka::general {
 template <class R>
 void find_shadow_origins(const Batch<R>& batch);
 
-/// What shadows leave of all that wait: general.filter.
+/// Makes what waits in one place wait in another, which is not behind it.
 template <class R>
-void trace_waiting(const Batch<R>& batch);
+void move_waiting(const Batch<R>& batch, std::size_t from, std::size_t to) {
+  Scratch<R>& scratch = batch.scratch;
+  Waiting<R>& waiting = batch.general.of_waiting;
+  scratch.sdx[to] = scratch.sdx[from];
+  scratch.sdy[to] = scratch.sdy[from];
+  scratch.sdz[to] = scratch.sdz[from];
+  scratch.sdistance[to] = scratch.sdistance[from];
+  scratch.shadow_ray_hit[to] = scratch.shadow_ray_hit[from];
+  waiting.l_n[to] = waiting.l_n[from];
+  waiting.strength[to] = waiting.strength[from];
+  waiting.highlight[to] = waiting.highlight[from];
+  waiting.sample[to] = waiting.sample[from];
+}
+
+/// In which order shadow rays are traced.
+enum class Order { by_direction, as_listed };
+
+/// What shadows leave of all that wait: general.filter and general.maybe_blocked. Where ways have to
+/// be followed, those that an opaque body blocks wait no longer, unless somebody listens.
+template <class R>
+void trace_waiting(const Batch<R>& batch, Order order);
 
 template <class R>
 bool may_be_passed(const Batch<R>& batch) {

@@ -31,7 +31,6 @@ void follow(const Batch<R>& batch, const std::int32_t* hits, std::size_t n) {
     scratch.sdistance[i] = scratch.sdistance[h];
   }
   general.waiting = n;
-  general.of_waiting.assign(n, {});
   general.filter.assign(n, V3<R>{R(1), R(1), R(1)});
   follow_waiting(batch);
 }
@@ -85,7 +84,6 @@ void add_followed(const Batch<R>& batch, const V3<R>& color) {
     hits.r[h] = local.x, hits.g[h] = local.y, hits.b[h] = local.z;
   }
   general.waiting = 0;
-  general.of_waiting.clear();
 }
 
 }  // namespace
