@@ -3,6 +3,7 @@
 #include "bodies_probe.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "engine/body_surfaces.hpp"
 #include "math/double_power.hpp"
@@ -12,8 +13,10 @@ namespace {
 
 #ifdef ZRAKA_WIDE
 using D = WideDoubles;
+using L = WideLanes;
 #else
 using D = ScalarDoubles;
+using L = ScalarLanes<double>;
 #endif
 using F = D::F;
 
@@ -99,6 +102,73 @@ void cross(BodyType type, const double* numbers, const std::int32_t* start,
 #undef ZRAKA_CROSS
 }
 
+/// A register of hits: rays of the same numbers ask the same body.
+void hit_register(const FrozenShapes<L::Real, Body>& bodies, const std::size_t (&index)[L::kWidth],
+                  const BodyProbeRay* rays, const double* limit, BodyHit* found) {
+  L::Real number[L::kWidth];
+  std::int32_t which[L::kWidth];
+  const auto load = [&](const auto& value) {
+    for (std::size_t lane = 0; lane < L::kWidth; ++lane)
+      number[lane] = static_cast<L::Real>(value(index[lane]));
+    return L::load(number);
+  };
+  const auto vector = [&](const double(BodyProbeRay::*part)[3]) {
+    V3<L::F> v;
+    v.x = load([&](std::size_t i) { return (rays[i].*part)[0]; });
+    v.y = load([&](std::size_t i) { return (rays[i].*part)[1]; });
+    v.z = load([&](std::size_t i) { return (rays[i].*part)[2]; });
+    return v;
+  };
+  for (std::size_t lane = 0; lane < L::kWidth; ++lane) {
+    const bool shared = bodies.start[index[lane]] == bodies.start[index[0]];
+    which[lane] = static_cast<std::int32_t>(shared ? index[0] : index[lane]);
+  }
+  const V3<L::F> origin = vector(&BodyProbeRay::origin),
+                 direction = vector(&BodyProbeRay::direction);
+  const L::F ends = load([&](std::size_t i) { return limit[i]; });
+  const BodiesInLanes<L> in_lanes{&bodies, L::load(which)};
+  const L::F t = intersect_bodies<L>(in_lanes, origin, direction, ends, false);
+  const L::F any_t = intersect_bodies<L>(in_lanes, origin, direction, ends, true);
+  const L::F zero(L::Real(0)), far(L::Real(-1));
+  Surfaces<L> surfaces{{{zero, zero, zero}, {zero, zero, zero}, zero, t < far, t < far},
+                       typename L::I(0)};
+  surfaces_of_bodies<L>(bodies, select(t > zero, L::load(which), typename L::I(-1)), origin,
+                        direction, t, surfaces, nullptr);
+  const auto store = [&](const L::F& value, const auto& put) {
+    L::store(value, number);
+    for (std::size_t lane = 0; lane < L::kWidth; ++lane) put(found[index[lane]], number[lane]);
+  };
+  store(t, [](BodyHit& h, double v) { h.t = v; });
+  store(any_t, [](BodyHit& h, double v) { h.any = v; });
+  const V3<L::F>&p = surfaces.at.point, &n = surfaces.at.normal;
+  store(p.x, [](BodyHit& h, double v) { h.point[0] = v; });
+  store(p.y, [](BodyHit& h, double v) { h.point[1] = v; });
+  store(p.z, [](BodyHit& h, double v) { h.point[2] = v; });
+  store(n.x, [](BodyHit& h, double v) { h.normal[0] = v; });
+  store(n.y, [](BodyHit& h, double v) { h.normal[1] = v; });
+  store(n.z, [](BodyHit& h, double v) { h.normal[2] = v; });
+  store(select(surfaces.at.inside, L::F(L::Real(1)), zero),
+        [](BodyHit& h, double v) { h.inside = v > 0; });
+}
+
+void hit(BodyType type, const double* numbers, const std::int32_t* start, const BodyProbeRay* rays,
+         const double* limit, BodyHit* found, std::size_t count) {
+  const std::vector<std::uint8_t> types(count, type);
+  const std::vector<std::int32_t> materials(count);
+  FrozenShapes<L::Real, Body> bodies{};
+  bodies.type = types.data();
+  bodies.start = start;
+  bodies.numbers = numbers;
+  bodies.material = materials.data();
+  bodies.count = bodies.bounded = static_cast<std::int32_t>(count);
+  for (std::size_t first = 0; first < count; first += L::kWidth) {
+    std::size_t index[L::kWidth];
+    for (std::size_t lane = 0; lane < L::kWidth; ++lane)
+      index[lane] = std::min(first + lane, count - 1);
+    hit_register(bodies, index, rays, limit, found);
+  }
+}
+
 template <class Function>
 void each(const double* x, double* out, std::size_t count, const Function& function) {
   alignas(64) double lanes[D::kWidth];
@@ -121,7 +191,7 @@ void exp2_of(const double* x, double* out, std::size_t count) {
 
 BodiesProbe bodies_probe();
 BodiesProbe bodies_probe() {
-  return {{}, cross, log2_of, exp2_of};
+  return {{}, cross, hit, log2_of, exp2_of};
 }
 
 }  // namespace zraka::ZRAKA_ISA

@@ -27,11 +27,21 @@ struct BodyCrossings {
   bool keeps_limits;
 };
 
+/// What the engine finds of a ray that asks for its nearest hit, and of one that asks for any.
+struct BodyHit {
+  double t, any;  ///< not positive where there is none
+  double point[3], normal[3];
+  bool inside;
+};
+
 struct BodiesProbe {
   Isa isa;
   /// Of ray i with the body of this type whose numbers begin at numbers + start[i].
   void (*cross)(BodyType type, const double* numbers, const std::int32_t* start,
                 const BodyProbeRay* rays, BodyCrossings* found, std::size_t count);
+  /// The same, through the engine's own functions and in its lanes, with rays that end at limit[i].
+  void (*hit)(BodyType type, const double* numbers, const std::int32_t* start,
+              const BodyProbeRay* rays, const double* limit, BodyHit* found, std::size_t count);
   /// log2 of numbers above 0, and powers of 2.
   void (*log2)(const double* x, double* out, std::size_t count);
   void (*exp2)(const double* x, double* out, std::size_t count);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bodies against rays, for one instruction set. CMake compiles this file once for each, like
 // engine/kernel.cpp.
+#include "accel/torus_rays.hpp"
 #include "engine/body_surfaces.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -85,6 +86,8 @@ constexpr HitFunction<L> hit_function() {
     return hit_csgs<L>;
   else if constexpr (std::is_same_v<Shape, Instance>)
     return hit_instances<L>;
+  else if constexpr (std::is_same_v<Shape, Torus>)
+    return hit_tori<L>;
   else
     return hit_bodies<Shape, L>;
 }
@@ -138,6 +141,7 @@ void surfaces_of_bodies(const FrozenShapes<typename L::Real, Body>& bodies, type
   store_rays<L>(origin, direction, query);
   L::store(slot + I(-bodies.first_slot), query.body);
   L::store(t * typename L::F(typename L::Real(1.0f + 0x1p-18f)), query.limit);
+  L::store(t, query.t);
   SurfaceMemory<L> memory(surfaces);
   while (left != 0) {
     const std::int32_t body = query.body[__builtin_ctz(left)];

@@ -147,6 +147,32 @@ ZRAKA_INLINE SurfaceInLanes<D> surface_in_lanes(const Row& row, const V3<typenam
   }
 }
 
+/// The same of those lanes that are asked for and that hit at `hit`, roughly.
+template <class Shape, class D, class Row>
+ZRAKA_INLINE SurfaceInLanes<D> surface_at_hit(const Row& row, const V3<typename D::F>& origin,
+                                              const V3<typename D::F>& direction,
+                                              typename D::F hit, std::uint32_t asked) {
+  if constexpr (std::is_same_v<Shape, Torus>) {
+    using F = typename D::F;
+    const BodyView<F> view = view_of(row, origin, direction, true);
+    F s = hit / view.unit - view.before;
+    const TorusRay<F> torus(view.ray, row(kBodyNumbers));
+    const Refined zeros = refine<D>(torus, asked, s);
+    const F t = view.distance(s);
+    const auto outwards = D::from_bits(asked & ~zeros.falls);
+    if (zeros.found == asked) return {t, view.unit, normal_at<Shape, D>(row, view, t), outwards};
+    const SurfaceInLanes<D> all = surface_in_lanes<Shape, D>(row, origin, direction);
+    const V3<F> normal = normal_at<Shape, D>(row, view, t);
+    const auto ours = D::from_bits(zeros.found);
+    return {select(ours, t, all.t), view.unit,
+            {select(ours, normal.x, all.normal.x), select(ours, normal.y, all.normal.y),
+             select(ours, normal.z, all.normal.z)},
+            either(both(ours, outwards), but_not(all.inside, ours))};
+  } else {
+    return surface_in_lanes<Shape, D>(row, origin, direction);
+  }
+}
+
 /// Where all lanes hit one plane, as they mostly do on what scenes stand on: what surfaces_of()
 /// finds, without memory in between.
 template <class L>
@@ -188,7 +214,8 @@ void surfaces_of(const FrozenShapes<typename L::Real, Body>& bodies, std::uint32
     const V3<F> origin = load_doubles<L>(query.origin, c);
     const V3<F> direction = load_doubles<L>(query.direction, c);
     with_numbers<L>(bodies, query, c, asked, [&](const auto& row) {
-      const SurfaceInLanes<D> found = surface_in_lanes<Shape, D>(row, origin, direction);
+      const SurfaceInLanes<D> found = surface_at_hit<Shape, D>(
+          row, origin, direction, D::load_reals(query.t + c), asked);
       out.put(c, asked, origin + direction * found.t, found.normal, found.unit, found.inside);
     });
   });

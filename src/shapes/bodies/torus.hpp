@@ -109,12 +109,54 @@ struct TorusRay {
     return {(out * out + y * y - tube * tube) * around,
             F(2.0) * (out * (x * d.x + z * d.z) + y * d.y * around)};
   }
+  /// From t to the zero next to it: a step of Newton's, with what the slope changes on the way.
+  struct Step {
+    F t;
+    decltype(F() < F()) near;   ///< it is not far
+    decltype(F() < F()) sure;   ///< this is the zero, to some 2^-52
+    decltype(F() < F()) falls;
+  };
+  ZRAKA_INLINE Step step(F t) const {
+    const F x = o.x + t * d.x, y = o.y + t * d.y, z = o.z + t * d.z, across = x * d.x + z * d.z;
+    const F around = max(sqrt(x * x + z * z), F(0x1p-500)), out = around - F(1.0);
+    const F half_slope = out * across + y * d.y * around;  // v's, times `around`
+    const F inverse = F(1.0) / around, steep = F(0.5) / half_slope;
+    const F way = (out * out + y * y - tube * tube) * around * steep;
+    const F first = across * inverse;  // derivatives of `around`
+    const F second = (d.x * d.x + d.z * d.z - first * first) * inverse;
+    const F bend = (F(1.0) - second) * (around * steep) * way, square = bend * bend;
+    // What a parabola leaves, and what the third derivative does.
+    const F error = abs(way) * (square + square + abs(first * second * steep) * (way * way));
+    return {t - way * (F(1.0) + bend), abs(way) <= F(0x1p-8), both(error <= F(0x1p-54), square <= F(0x1p-6)),
+            half_slope < F(0.0)};
+  }
   /// How far from a least place of the polynomial its zeros would be if it were a parabola.
   ZRAKA_INLINE F reach_of(F t, const Place& there) const {
     const F value = there.value * (there.value + F(4.0) * there.around);
     return sqrt(max(-value / (F(6.0) * (t * t) + a), F(0.0)));
   }
 };
+
+/// Which lanes have come to a zero, and which of them are falling there, a bit each.
+struct Refined {
+  std::uint32_t found = 0, falls = 0;
+};
+/// Those lanes of t that are wanted, a bit each, come to the zeros next to them.
+template <class D>
+ZRAKA_INLINE Refined refine(const TorusRay<typename D::F>& torus, std::uint32_t wanted,
+                            typename D::F& t) {
+  constexpr int kMostSteps = 3;
+  Refined lanes;
+  for (int k = 0; k < kMostSteps && lanes.found != wanted; ++k) {
+    const auto step = torus.step(t);
+    wanted &= lanes.found | bits_of_doubles(step.near);
+    const std::uint32_t going = wanted & ~lanes.found;
+    t = select(D::from_bits(going), step.t, t);
+    lanes.falls |= going & bits_of_doubles(both(step.sure, step.falls));
+    lanes.found |= going & bits_of_doubles(step.sure);
+  }
+  return lanes;
+}
 
 template <class D>
 struct BodyLanes<Torus, D> {
