@@ -43,9 +43,9 @@ struct LitHits {
     level().hit_count = kHitCount;
     level().done = 0;
     for (std::size_t h = 0; h < kHitSize; ++h) {
-      for (R* array : {s().px, s().py, s().pz, s().nx, s().ny, s().nz, s().vx, s().vy, s().vz,
-                       s().lx, s().ly, s().lz, s().offset, level().hits.r, level().hits.g,
-                       level().hits.b})
+      for (R* array :
+           {s().px, s().py, s().pz, s().nx, s().ny, s().nz, s().vx, s().vy, s().vz, s().lx, s().ly,
+            s().lz, s().offset, level().hits.r, level().hits.g, level().hits.b})
         array[h] = any();
       // Some look along the mirror's direction.
       if (h % 3 == 0) s().lx[h] = s().nx[h], s().ly[h] = s().ny[h], s().lz[h] = s().nz[h];
@@ -94,8 +94,8 @@ void expect_light(const Services<R>& all, const Terms& terms, std::string_view n
   for (std::size_t h = 0; h < kHitSize; ++h) {
     const bool faces = hits.arriving.l_n[h] >= 0;
     ASSERT_EQ(s.strength[h], faces ? static_cast<R>(hits.arriving.strength[h]) : R(0)) << name;
-    ASSERT_EQ(s.sdistance[h],
-              static_cast<R>(std::fmin(hits.arriving.distance[h], kFarthest))) << name;
+    ASSERT_EQ(s.sdistance[h], static_cast<R>(std::fmin(hits.arriving.distance[h], kFarthest)))
+        << name;
     if (!terms.specular || s.strength[h] == R(0) || hits.is_dark(h, kSpecular)) continue;
     const double wanted = hits.highlight(h);
     double& found = hits.arriving.highlight[h];
@@ -134,9 +134,9 @@ void expect_origins(const Services<R>& services, std::string_view name) {
   const Scratch<R>& s = hits.s();
   services.hits->start_shadow_rays(kHitSize, hits.s());
   for (std::size_t h = 0; h < kHitSize; ++h)
-    ASSERT_EQ(s.soy[h], static_cast<R>(static_cast<double>(s.py[h]) +
-                                       static_cast<double>(s.ny[h]) *
-                                           static_cast<double>(s.offset[h])))
+    ASSERT_EQ(s.soy[h],
+              static_cast<R>(static_cast<double>(s.py[h]) +
+                             static_cast<double>(s.ny[h]) * static_cast<double>(s.offset[h])))
         << name;
 }
 
@@ -150,9 +150,12 @@ void expect_brought_back(const Services<R>& services, bool clamps, bool dims,
     clear[h] = h % 3 == 0 ? R(1) : hits.any(), left[h] = hits.any();
   const R *none = nullptr, *some = left.data();
   const HitArrays<R>& of = level.hits;
-  services.hits->bring_back({of.r, of.g, of.b,
+  services.hits->bring_back({of.r,
+                             of.g,
+                             of.b,
                              {dims ? some : none, dims ? some : none, dims ? some : none},
-                             dims ? clear.data() : none, {R(0.25), R(0.5), R(0.75)}},
+                             dims ? clear.data() : none,
+                             {R(0.25), R(0.5), R(0.75)}},
                             clamps, level);
   for (std::size_t h = 0; h < kHitSize; ++h) {
     R wanted = of.b[h];
@@ -199,9 +202,8 @@ TEST(HitServices, StartShadowRaysInDouble) {
 }
 
 TEST(HitServices, HaveTheBitsOfExp) {
-  with_all([](const auto& services, std::string_view name) {
-    expect_exponentials(services, name);
-  });
+  with_all(
+      [](const auto& services, std::string_view name) { expect_exponentials(services, name); });
 }
 
 TEST(HitServices, BringBackWhatMediaAndFogLeave) {

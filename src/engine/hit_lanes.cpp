@@ -2,9 +2,8 @@
 // The general engine's steps at hits in lanes, to the bits that they have hit by hit: geometry in
 // doubles, colours in the engine's numbers. CMake compiles this file once for each instruction set,
 // like engine/kernel.cpp.
-#include "engine/hit_services.hpp"
-
 #include "engine/highlight.hpp"
+#include "engine/hit_services.hpp"
 #include "engine/light.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -82,10 +81,10 @@ bool find_shines(const Terms& terms, std::size_t n, Scratch<typename L::Real>& s
     widen(may.material[kBlinn], blinn);
     for (std::size_t p = 0; p < kDoubleParts<L>; ++p) {
       const std::size_t i = h + p * D::kWidth;
-      const F highlight = highlight_at<D>(
-          three_at<D>(scratch.nx, scratch.ny, scratch.nz, i),
-          three_at<D>(scratch.vx, scratch.vy, scratch.vz, i),
-          three_at<D>(scratch.lx, scratch.ly, scratch.lz, i), shininess[p], blinn[p]);
+      const F highlight = highlight_at<D>(three_at<D>(scratch.nx, scratch.ny, scratch.nz, i),
+                                          three_at<D>(scratch.vx, scratch.vy, scratch.vz, i),
+                                          three_at<D>(scratch.lx, scratch.ly, scratch.lz, i),
+                                          shininess[p], blinn[p]);
       D::store(highlight, arriving.highlight + i);
       unknown = unknown || any(highlight == F(kUnknownHighlight));
     }
@@ -124,8 +123,7 @@ std::size_t list_facing(const V3<typename L::Real>& color, const Terms& terms, s
     if (any(arrives)) {
       const auto material = load_materials<L>(scratch, h, n);
       if (terms.diffuse)
-        counts = but_not(above_zero<L>(arriving.l_n + h) > F(0),
-                         is_dark(material.color(kDiffuse)));
+        counts = but_not(above_zero<L>(arriving.l_n + h) > F(0), is_dark(material.color(kDiffuse)));
       if (terms.specular)
         if (const auto dull = is_dark(material.color(kSpecular)); !all(dull))
           counts = either(counts, but_not(above_zero<L>(arriving.highlight + h) > F(0), dull));
@@ -210,8 +208,8 @@ void bring_back(const BroughtBack<typename L::Real>& brings, bool clamps,
                select(none, color.z, dim.z)};
     }
     const auto exists = L::first(n - h);
-    const Indices<L> ray(
-        select(exists, L::load(level.hits.ray + h), I(level.hits.ray[h])) + I(level.done));
+    const Indices<L> ray(select(exists, L::load(level.hits.ray + h), I(level.hits.ray[h])) +
+                         I(level.done));
     ray.store(color.x, exists, level.rays.r);
     ray.store(color.y, exists, level.rays.g);
     ray.store(color.z, exists, level.rays.b);
@@ -227,9 +225,8 @@ using Lanes = ScalarLanes<double>;
 }  // namespace
 
 extern const HitServices<Lanes::Real> kHitServices;
-const HitServices<Lanes::Real> kHitServices = {start_shadow_rays<Lanes>, start_light<Lanes>,
-                                               find_shines<Lanes>, list_facing<Lanes>,
-                                               add_arriving<Lanes>, find_exponentials<Lanes>,
-                                               bring_back<Lanes>};
+const HitServices<Lanes::Real> kHitServices = {
+    start_shadow_rays<Lanes>, start_light<Lanes>,       find_shines<Lanes>, list_facing<Lanes>,
+    add_arriving<Lanes>,      find_exponentials<Lanes>, bring_back<Lanes>};
 
 }  // namespace zraka::ZRAKA_ISA

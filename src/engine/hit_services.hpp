@@ -43,8 +43,8 @@ struct HitServices {
   void (*bring_back)(const BroughtBack<R>& brings, bool clamps, Level<R>& level);
 };
 
-#define ZRAKA_HITS(isa, R) \
-  namespace isa {           \
+#define ZRAKA_HITS(isa, R)                  \
+  namespace isa {                           \
   extern const HitServices<R> kHitServices; \
   }
 ZRAKA_HITS(isa_avx512, float)

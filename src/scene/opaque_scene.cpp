@@ -44,8 +44,10 @@ void add_opaque_scene(FrozenStore<R>& store, bool transparent) {
   if (scene.optics == nullptr) return;
   for (const OpticalMaterial& m : store.optics->materials) {
     const bool passable = !m.casts_shadow || (transparent && is_transparent(m));
-    // What absorbs light does so whether it casts a shadow or not.
-    const bool filters = passable && (m.casts_shadow || scene.optics->absorbing);
+    // What absorbs light does so whether it casts a shadow or not; and where there are cuts, what is
+    // opaque may be passed, too.
+    const bool filters = (passable || scene.optics->cut_count > 0) &&
+                         (m.casts_shadow || scene.optics->absorbing);
     store.passable.push_back(passable ? 1 : 0);
     store.unfiltering.push_back(filters ? 0 : 1);
   }

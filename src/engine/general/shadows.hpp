@@ -73,9 +73,8 @@ struct Unfollowed {
 
   explicit Unfollowed(const Batch<R>& batch)
       : dark(deciding_scene(batch)), lit(dark), asked(&batch.scene) {
-    if (lit != nullptr || batch.settings.filter_first_only || batch.optics().cut_count > 0) return;
-    dark = batch.scene.opaque;
-    if (dark == nullptr) return;
+    if (lit != nullptr || batch.settings.filter_first_only || batch.scene.opaque == nullptr) return;
+    if (batch.optics().cut_count == 0) dark = batch.scene.opaque;
     asked = batch.scene.filtering;
     if (!batch.optics().absorbing) lit = asked;
   }

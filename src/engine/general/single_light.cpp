@@ -35,8 +35,8 @@ void follow(const Batch<R>& batch, const std::int32_t* hits, std::size_t n) {
   follow_waiting(batch);
 }
 
-/// Of the first n hits in the list, which ones the light reaches: scratch.lit. Those whose ways have
-/// to be followed wait afterwards.
+/// Of the first n hits in the list, which ones the light reaches: scratch.lit. Those whose ways
+/// have to be followed wait afterwards.
 template <class R>
 void trace_listed(const Batch<R>& batch, std::size_t n) {
   Scratch<R>& scratch = batch.scratch;
@@ -96,9 +96,8 @@ void add_single_light(const Batch<R>& batch, std::int32_t index) {
   const HitServices<R>& services = *batch.services.hits;
   GeneralWorkspace<R>& general = batch.general;
   const std::size_t n = batch.hit_count();
-  const ArrivingLight arriving{general.distance.data(), general.strength.data(),
-                               general.l_n.data(), general.cosine.data(),
-                               general.highlight.data()};
+  const ArrivingLight arriving{general.distance.data(), general.strength.data(), general.l_n.data(),
+                               general.cosine.data(), general.highlight.data()};
   batch.services.find_arriving(light, n, batch.scratch, arriving);
   if (light.kind == LightKind::spot && light.linear_edge_counts())
     for (std::size_t h = 0; h < n; ++h)
