@@ -25,8 +25,8 @@ ZRAKA_INLINE F highlight_at(const V3<F>& normal, const V3<F>& view, const V3<F>&
   const auto none = (F(1) - cosine) * shininess > F(kNoHighlight);
   F highlight(0);
   if (!all(none))
-    highlight = select(none, F(0),
-                       elementary_power(min(cosine, F(1)), shininess, F(kUnknownHighlight)));
+    highlight =
+        select(none, F(0), elementary_power(min(cosine, F(1)), shininess, F(kUnknownHighlight)));
   return select(cosine >= F(0), highlight, F(kFacesAway));
 }
 

@@ -144,8 +144,8 @@ struct FrozenScene {
 #undef ZRAKA_STORE
   Hierarchy hierarchy;
   /// For shadow rays of the general engine: the same, where they go through all shapes that they may
-  /// pass; and where they meet only those of these that take something of their light. nullptr: there
-  /// are none such, or they are parts of wholes.
+  /// pass; and where they meet only those of these that take something of their light, in scenes with
+  /// cuts all that do. nullptr: there are none such, or they are parts of wholes.
   const FrozenScene *opaque, *filtering;
 };
 
