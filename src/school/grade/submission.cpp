@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <mutex>
 
@@ -200,6 +201,17 @@ Result<std::vector<SubmittedPicture>> read_submission(const std::string& path, L
   return pictures;
 }
 
+namespace {
+
+/// What a large picture keeps of its sides: both alike, as screens are wider than what they show.
+double to_be_scaled_by(const Image& pixels, const PictureKind& kind) {
+  const double most = (static_cast<double>(kMostScale) * kind.width + kFrame) *
+                      (static_cast<double>(kMostScale) * kind.height + kFrame);
+  return std::min(1.0, std::sqrt(most / (static_cast<double>(pixels.width) * pixels.height)));
+}
+
+}  // namespace
+
 Result<DecodedPicture> read_picture(const SubmittedPicture& picture, const PictureKind& kind) {
   if (!picture.problems.empty()) return tl::make_unexpected(picture.problems);
   const auto decoded = [&](std::string_view bytes, const std::string& name,
@@ -210,10 +222,11 @@ Result<DecodedPicture> read_picture(const SubmittedPicture& picture, const Pictu
     if (made.jpeg) made.tables = jpeg_tables(bytes);
     Image& pixels = made.image;
     if (read->floats) pixels = as_stored(pixels, kind.transfer, 8);
-    const std::uint32_t width = std::min(pixels.width, kMostScale * kind.width + kFrame),
-                        height = std::min(pixels.height, kMostScale * kind.height + kFrame);
-    if (width < pixels.width || height < pixels.height) {
-      pixels = scaled_by_area(pixels, width, height);
+    if (const double by = to_be_scaled_by(pixels, kind); by < 1) {
+      const auto less = [by](std::uint32_t side) {
+        return std::max(1U, static_cast<std::uint32_t>(std::lround(by * side)));
+      };
+      pixels = scaled_by_area(pixels, less(pixels.width), less(pixels.height));
       made.tables.reset();
     }
     return made;
