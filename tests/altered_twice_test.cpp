@@ -29,5 +29,20 @@ TEST_F(AlteredTwice, IsRightOnALargeScreen) {
   expect_right(judged(altered::smooth(on_screen(grader.picture(7)), 2.2, 2.2), {}));
 }
 
+/// Nearly all pixels of a picture that is hardly larger repeat themselves: that tells nothing.
+TEST_F(AlteredTwice, IsNotRepeatedWhereItIsHardlyLarger) {
+  const Scene first = course_scene();
+  const Grader of_first = Grader::create(first, lab_options()).value();
+  const auto expect_right_as = [&](const Image& picture, const std::string& name) {
+    const std::string file = (folder / name).string();
+    ASSERT_TRUE(write_png(picture, file, {8, Transfer::linear}));
+    expect_right(of_first.grade(file).stages.front());
+  };
+  const Image smooth = altered::smooth(of_first.picture(7), 1.25, 1.25);
+  expect_right_as(scaled_by_area(smooth, kSide + 1, kSide + 2), "refraction.png");
+  const Image nearest = altered::nearest(of_first.picture(2), 1.17);
+  expect_right_as(scaled_by_area(nearest, kSide + 3, kSide + 3), "ambient.png");
+}
+
 }  // namespace
 }  // namespace zraka

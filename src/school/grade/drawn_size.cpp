@@ -156,13 +156,15 @@ double on_their_sides(const Outline& outline, const TurnedPixels& picture, bool 
   return all < kLeastOutline ? 0 : static_cast<double>(right) / static_cast<double>(all);
 }
 
-/// Pixels that repeat those of a smaller picture: where nothing changes, nothing tells.
+/// Pixels that repeat those of a smaller picture: where nothing changes, nothing tells, nor do
+/// those that a picture which is hardly larger has once.
 bool are_repeated(const TurnedPixels& image, const std::vector<std::uint32_t>& columns,
                   const std::vector<std::uint32_t>& rows) {
   const double most = 3.0 * image.width * image.height;
   std::size_t other = 0, all = 0;
   for (std::uint32_t y = 1; y < image.height; ++y) {
     for (std::uint32_t x = 1; x < image.width; ++x) {
+      if (columns[x] == x && rows[y] == y) continue;
       const float *here = image.pixel(x, y), *before = image.pixel(x - 1, y),
                   *above = image.pixel(x, y - 1), *again = image.pixel(columns[x], rows[y]);
       for (std::size_t c = 0; c < 3; ++c) {
