@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "handed_in.hpp"
+#include "school/grade/refine.hpp"
 
 namespace zraka {
 namespace {
@@ -42,6 +43,67 @@ TEST_F(AlteredTwice, IsNotRepeatedWhereItIsHardlyLarger) {
   expect_right_as(scaled_by_area(smooth, kSide + 1, kSide + 2), "refraction.png");
   const Image nearest = altered::nearest(of_first.picture(2), 1.17);
   expect_right_as(scaled_by_area(nearest, kSide + 3, kSide + 3), "ambient.png");
+}
+
+/// Whole pixels lose nothing by their scaling, and are the nearest where only that is seen.
+TEST_F(AlteredTwice, IsFoundWhereItLiesByTenthsOfAPixel) {
+  for (const int stage : {4, 6}) {
+    const StageGrade grade = judged(shifted(grader.picture(stage), 0.92, 0.84), {},
+                                    stage == 4 ? "specular" : "reflection");
+    expect_right(grade);
+    EXPECT_NEAR(grade.alignment.left, 0.92, 0.03);
+    EXPECT_NEAR(grade.alignment.top, 0.84, 0.03);
+  }
+}
+
+/// Where so little is lost that outlines are alike.
+TEST_F(AlteredTwice, IsFoundWhereItLiesByHundredthsOfAPixel) {
+  for (const double by : {2.02, 2.04})
+    expect_right(judged(shifted(grader.picture(4), by, 2.03), {}, "specular"));
+}
+
+/// What a screen scales by repeating pixels loses nothing where others are repeated alike.
+TEST_F(AlteredTwice, RepeatsThePixelsThatAWindowRepeated) {
+  for (const int stage : {3, 5, 7}) {
+    const Image& right = grader.picture(stage);
+    altered::Random random(2);
+    const Image window = altered::nearest(altered::framed(right, random), 1.17);
+    // By outlines alone.
+    const double left = 0.5 * (window.width - 1.17 * kSide),
+                 top = window.height - left - 1.17 * kSide;
+    Fitted fitted =
+        fitted_at({{}, {left + 0.4, top + 0.7, 1.168, 1.173}, 1}, window, false, kSide, kSide);
+    refine(fitted, right);
+    EXPECT_LT(mean_square(fitted.image, through_scaling(right, fitted), fitted.region), 4e-5)
+        << stage;
+  }
+}
+
+/// Clear edges are none of the picture, and do not pull at it.
+TEST_F(AlteredTwice, IsFoundBesideClearEdges) {
+  const Scene second = second_scene();
+  const Grader of_second = Grader::create(second, lab_options()).value();
+  for (const auto& [right, down] : {std::pair(1.3, 2.9), std::pair(1.4, 1.75)}) {
+    altered::Random random(1);
+    altered::Altered a{shifted(of_second.picture(4), right, down)};
+    altered::alter(a, Alteration::edges_clear, random);
+    const std::string file = (folder / "specular.png").string();
+    ASSERT_TRUE(write_png(a.image, file, {8, Transfer::linear}));
+    const StageGrade grade = of_second.grade(file).stages.front();
+    expect_right(grade);
+    EXPECT_NEAR(grade.alignment.left, right, 0.05);
+  }
+}
+
+TEST_F(AlteredTwice, HasClearEdgesInAJpeg) {
+  const Scene second = second_scene();
+  const Grader of_second = Grader::create(second, lab_options()).value();
+  altered::Random random(1);
+  altered::Altered a{of_second.picture(5)};
+  altered::alter(a, Alteration::edges_clear, random);
+  const std::string file = (folder / "shadow.jpg").string();
+  std::ofstream(file, std::ios::binary) << jpeg_file(a.image, 60);
+  expect_right(of_second.grade(file).stages.front());
 }
 
 }  // namespace

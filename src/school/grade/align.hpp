@@ -2,6 +2,7 @@
 // A submission brought into line with the pictures it is compared with, and how near two are.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 #include <zraka/school/grade.hpp>
@@ -18,6 +19,12 @@ struct Region {
   double pixels() const { return (right - left) * static_cast<double>(bottom - top); }
 };
 
+/// The part of a submission that shows the picture, in its pixels: no frame, no clear edges.
+struct Shown {
+  double left = 0, top = 0, right = std::numeric_limits<double>::infinity(), bottom = right;
+  friend bool operator==(const Shown&, const Shown&) = default;
+};
+
 /// A submission in the right picture's size.
 struct Fitted {
   Image image;
@@ -26,10 +33,12 @@ struct Fitted {
   bool exact = true;      ///< pixel by pixel as it was handed in
   bool sure = false;      ///< so much so that it lies nowhere else
   bool softened = false;  ///< by its scaling, and once more where that was undone
+  bool repeated = false;  ///< it was scaled by repeating pixels
   double smallest = 1;    ///< its scale: below 1, details are lost
   double likeness = 0;    ///< of outlines
   Turn turn{};
   GridPlacement placement{};
+  Shown shown{};
   std::uint32_t width = 0, height = 0;    ///< as it was handed in, turned
   std::shared_ptr<const Image> source{};  ///< which is that; nullptr: image, exactly
   /// Of the size that it was drawn in; nullptr where that is the scene's own.
@@ -45,13 +54,19 @@ Image turned_by(const Image& submitted, const Turn& turn);
 /// What lies at a position in a submission, whose unpainted lines were filled or not.
 Fitted fitted_at(const Position& position, const Image& painted, bool unpainted,
                  std::uint32_t width, std::uint32_t height);
-/// An inexact one that lies elsewhere.
+/// An inexact one that lies elsewhere, of which the same is shown.
 Fitted placed_at(const Fitted& fitted, const GridPlacement& placement);
+/// An exact one that may lie about there by fractions of a pixel.
+Fitted between_pixels(const Fitted& fitted);
 
 /// What may have become of a right picture's colours: red and blue exchanged or not, each with
 /// every curve. The first is as it was handed in.
 std::vector<Alignment> ways_to_align();
 Image aligned(const Image& image, const Alignment& way);
+
+/// A picture of a right size in a submission of width × height, as that was scaled.
+Image scaled_into(const Image& image, const Fitted& fitted, std::uint32_t width,
+                  std::uint32_t height);
 
 /// A picture of a right size as it comes out of the scaling that a submission went through, where
 /// that has lost something.

@@ -39,18 +39,39 @@ StageComparison::StageComparison(const StagePictures& pictures, int stage, const
       stage_(stage),
       wanted_(sized_.right(stage)),
       fitted_(fitted),
+      jpeg_(compression.jpeg),
       tables_(compression.tables) {
   const Image mistaken = by == MistakenBy{} ? Image() : sized_.picture(stage, by);
   const Image& shown = by == MistakenBy{} ? wanted_ : mistaken;
-  if (stage > 1) refine(fitted_, shown);
-  close_ = closeness_of(fitted_, compression.jpeg, pictures.rubric());
+  if (stage > 1) lie_best_on(shown);
+  close_ = closeness_of(fitted_, jpeg_, pictures.rubric());
   if (stage == 1) {
     fitted_.image = as_silhouette(fitted_.image);
     close_.biased = 1;  // at outlines it is white or black
   }
-  trim_frame(fitted_, shown);
+  trim_frame(fitted_, shown, jpeg_);
   ways_ = ways_to_align();
   if (stage == 1) ways_.resize(1);
+}
+
+/// A frame or clear edges pull at where it lies, until they are known to be none of it.
+void StageComparison::lie_best_on(const Image& picture) {
+  refine(fitted_, picture);
+  if (fitted_.exact) return;
+  Fitted trimmed = fitted_;
+  trim_frame(trimmed, picture, jpeg_);
+  const Region &whole = fitted_.region, &part = trimmed.region;
+  const GridPlacement& at = fitted_.placement;
+  Shown shown;
+  // The region leaves out the outermost pixels, which are mixed with what lies outside.
+  if (part.left > whole.left) shown.left = at.left + at.across * (part.left - 1);
+  if (part.top > whole.top) shown.top = at.top + at.down * (part.top - 1);
+  if (part.right < whole.right) shown.right = at.left + at.across * (part.right + 1);
+  if (part.bottom < whole.bottom) shown.bottom = at.top + at.down * (part.bottom + 1);
+  if (shown == Shown{}) return;
+  trimmed.shown = shown;
+  refine(trimmed, picture);
+  fitted_ = trimmed;
 }
 
 void StageComparison::take_way(std::size_t way) {
@@ -71,7 +92,7 @@ void StageComparison::lie_on(const MistakenBy& by) {
   if (there.placement == fitted_.placement) return;
   fitted_ = placed_at(fitted_, there.placement);
   fitted_.softened = there.softened;
-  trim_frame(fitted_, wanted_);
+  trim_frame(fitted_, wanted_, jpeg_);
   take_way(way_);
 }
 

@@ -96,6 +96,8 @@ class StageComparison {
                                       std::size_t most) const;
 
  private:
+  void lie_best_on(const Image& picture);
+
   const StagePictures& pictures_;
   const StagePictures& sized_;  ///< in the size that it was drawn in
   int stage_;
@@ -104,6 +106,7 @@ class StageComparison {
   Closeness close_;
   std::vector<Alignment> ways_;
   std::size_t way_ = 0;
+  bool jpeg_;
   const JpegTables* tables_;
   RoundTrip as_handed_in_;
   Image taken_, smooth_;
@@ -112,6 +115,6 @@ class StageComparison {
 
 /// Rows and columns at the edges that are mostly of one colour, which the right picture has not,
 /// are a frame over it, or were transparent: they were not handed in.
-void trim_frame(Fitted& fitted, const Image& wanted);
+void trim_frame(Fitted& fitted, const Image& wanted, bool jpeg);
 
 }  // namespace zraka

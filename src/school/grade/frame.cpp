@@ -7,7 +7,15 @@
 
 namespace zraka {
 
-void trim_frame(Fitted& fitted, const Image& wanted) {
+namespace {
+
+/// What is no farther from a line's middle colour has that one, and what is farther from the right
+/// picture's is another one: in a JPEG, clear edges ring. As they are read, they are black.
+constexpr float kPlainLine = 0.05F, kOtherLine = 0.06F, kRinging = 0.12F, kClear = 0.06F;
+
+}  // namespace
+
+void trim_frame(Fitted& fitted, const Image& wanted, bool jpeg) {
   Region& r = fitted.region;
   const std::uint32_t most_clear = std::max(3U, wanted.width / 50);
   const auto foreign = [&](std::uint32_t trimmed, std::uint32_t x0, std::uint32_t x1,
@@ -24,14 +32,18 @@ void trim_frame(Fitted& fitted, const Image& wanted) {
       std::nth_element(sorted.begin(), half, sorted.end());
       middle[c] = *half;
     }
+    const bool rings = jpeg && std::all_of(middle.begin(), middle.end(),
+                                           [](float value) { return value < kClear; });
+    const float same_color = rings ? kRinging : kPlainLine,
+                other_color = rings ? kRinging : kOtherLine;
     std::size_t count = 0, same = 0, others = 0, i = 0;
     for (std::uint32_t y = y0; y < y1; ++y)
       for (std::uint32_t x = x0; x < x1; ++x, ++i) {
         bool plain = true, other = false;
         for (std::size_t c = 0; c < 3; ++c) {
-          plain = plain && std::fabs(channels[c][i] - middle[c]) < 0.05F;
-          other =
-              other || std::fabs(channels[c][i] - wanted.row(y)[std::size_t{3} * x + c]) > 0.06F;
+          plain = plain && std::fabs(channels[c][i] - middle[c]) < same_color;
+          other = other ||
+                  std::fabs(channels[c][i] - wanted.row(y)[std::size_t{3} * x + c]) > other_color;
         }
         count += plain && other;
         same += plain;

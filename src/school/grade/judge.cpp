@@ -18,6 +18,8 @@ constexpr double kLike = 0.5;
 constexpr double kPlain = 1e-6;
 /// It is as it was handed in, pixel by pixel, unless it is so many times nearer elsewhere.
 constexpr double kNearerElsewhere = 2;
+/// It lies between pixels where that leaves no more than this of what it leaves by whole ones.
+constexpr double kNearerBetween = 0.25;
 /// Elsewhere is no farther than this, in pixels, at any corner.
 constexpr double kAboutThere = 2;
 /// More pixels tell where they lie.
@@ -57,6 +59,21 @@ std::optional<StageGrade> judge_as_whole(const StagePictures& pictures, int stag
   return std::nullopt;
 }
 
+/// The whole, turned, if that is right.
+std::optional<StageGrade> right_if_turned(const StagePictures& pictures, int stage,
+                                          const Registered& submitted) {
+  const Image &image = submitted.handed_in(), &right = pictures.right(stage);
+  for (const Turn& turn : kTurns) {
+    const double width = turn.transposed ? image.height : image.width,
+                 height = turn.transposed ? image.width : image.height;
+    const Position whole{turn, {0, 0, width / right.width, height / right.height}, 0};
+    const Fitted fitted = fitted_at(whole, image, false, right.width, right.height);
+    StageGrade grade = Judge(pictures, stage, fitted, submitted.compression()).verdict(nullptr);
+    if (grade.verdict == Verdict::right) return grade;
+  }
+  return std::nullopt;
+}
+
 /// Mirrored and turned may be only turned another way.
 StageGrade turned_without_mirror(const StagePictures& pictures, int stage,
                                  const Registered& submitted, StageGrade grade) {
@@ -64,15 +81,21 @@ StageGrade turned_without_mirror(const StagePictures& pictures, int stage,
                         grade.mistakes.front() == Mistake::x_mirrored &&
                         (grade.alignment.transposed || grade.alignment.flipped);
   if (!mirrored) return grade;
-  const Image &image = submitted.handed_in(), &right = pictures.right(stage);
-  for (const Turn& turn : kTurns) {
-    const double width = turn.transposed ? image.height : image.width,
-                 height = turn.transposed ? image.width : image.height;
-    const Position whole{turn, {0, 0, width / right.width, height / right.height}, 0};
-    const Fitted fitted = fitted_at(whole, image, false, right.width, right.height);
-    StageGrade other = Judge(pictures, stage, fitted, submitted.compression()).verdict(nullptr);
-    if (other.verdict == Verdict::right) return other;
-  }
+  return right_if_turned(pictures, stage, submitted).value_or(std::move(grade));
+}
+
+/// Outlines may be alike by whole pixels where colours tell that it lies between them: then it is
+/// so much nearer that no mistake can be what else is left.
+std::optional<StageGrade> right_between_pixels(const StagePictures& pictures, int stage,
+                                               const Registered& submitted, const Fitted& fitted) {
+  const auto judged = [&](const Fitted& there) {
+    return Judge(pictures, stage, there, submitted.compression());
+  };
+  const Fitted there = between_pixels(fitted);
+  if (judged(there).distance({}) > kNearerBetween * judged(fitted).distance({}))
+    return std::nullopt;
+  StageGrade grade = judged(there).verdict(nullptr);
+  if (grade.verdict != Verdict::right) return std::nullopt;
   return grade;
 }
 
@@ -152,6 +175,9 @@ StageGrade judge_where_it_lies(const StagePictures& pictures, int stage,
   if (unturned && unturned->share_left <= pictures.rubric().share) {
     // Turned back, something was seen to be left.
     if (differs_turned) unturned->verdict = Verdict::probable;
+    // A JPEG's outlines may be too coarse for that to have been tried.
+    if (!differs_turned && submitted.jpeg())
+      return right_if_turned(pictures, stage, submitted).value_or(*unturned);
     return *unturned;
   }
   const bool sure = std::any_of(submitted.plain().begin(), submitted.plain().end(),
@@ -181,6 +207,9 @@ StageGrade judge_where_it_lies(const StagePictures& pictures, int stage,
   }
   if (whole)
     if (std::optional<StageGrade> grade = judge_as_whole(pictures, stage, submitted)) return *grade;
+  if (best->exact && stage > 1)
+    if (std::optional<StageGrade> grade = right_between_pixels(pictures, stage, submitted, *best))
+      return *grade;
   StageGrade grade = best->exact
                          ? std::move(of_best)
                          : Judge(pictures, stage, *best, submitted.compression()).verdict(&known);

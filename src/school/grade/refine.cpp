@@ -20,6 +20,8 @@ constexpr double kFarthest = 2;
 constexpr double kWhole = 0.06;
 /// Scales as near to 1 as this are tried as 1, and are 1 if that is about as good.
 constexpr double kOwnSize = 0.02, kAsNear = 1.03;
+/// Pixels were repeated where that comes so much nearer.
+constexpr double kRepeatedIsNearer = 0.5;
 
 /// A shift and a growth from the middle, along x and y.
 using Motion = std::array<double, 4>;
@@ -118,14 +120,18 @@ GridPlacement rounded(const GridPlacement& at, double w, double h) {
   return is_whole ? whole : at;
 }
 
-/// `scales`: it may also be scaled by a little.
-void move_onto(Fitted& fitted, const Image& wanted, bool scales) {
+/// `scales`: it may also be scaled by a little. `soft`: it is compared with what has lost as much
+/// by its scaling, without which it would rather lie by whole pixels, which lose nothing.
+void move_onto(Fitted& fitted, const Image& wanted, bool scales, bool soft = false) {
   const double w = wanted.width, h = wanted.height;
-  double least = robust_distance(fitted.image, wanted, fitted.region);
+  const auto lost = [&](const Fitted& there) {
+    return soft ? through_scaling(wanted, there) : wanted;
+  };
+  Image there = lost(fitted);
+  double least = robust_distance(fitted.image, there, fitted.region);
   for (int i = 0; i < kSteps; ++i) {
     if (fitted.source == nullptr) return;  // the whole, pixel by pixel
-    const std::optional<Motion> motion =
-        motion_between(fitted.image, wanted, fitted.region, scales);
+    const std::optional<Motion> motion = motion_between(fitted.image, there, fitted.region, scales);
     if (!motion) return;
     const auto& [right, wider, down, taller] = *motion;
     const double farthest = std::max(std::fabs(right) + std::fabs(wider) * w / 2,
@@ -135,11 +141,14 @@ void move_onto(Fitted& fitted, const Image& wanted, bool scales) {
     const GridPlacement better{at.left - at.across * (right - wider * w / 2),
                                at.top - at.down * (down - taller * h / 2), at.across * (1 - wider),
                                at.down * (1 - taller)};
-    const Fitted moved = placed_at(fitted, better);
-    const double reached = robust_distance(moved.image, wanted, moved.region);
+    Fitted moved = placed_at(fitted, better);
+    if (soft) moved.softened = true;
+    Image of_moved = lost(moved);
+    const double reached = robust_distance(moved.image, of_moved, moved.region);
     if (reached >= least) return;
     least = reached;
-    fitted = moved;
+    fitted = std::move(moved);
+    there = std::move(of_moved);
   }
 }
 
@@ -165,10 +174,27 @@ void refine(Fitted& fitted, const Image& wanted) {
     fitted.softened = soft < least;
     least = std::min(least, soft);
   }
+  Fitted soft = fitted;
+  soft.softened = true;
+  move_onto(soft, wanted, soft.placement.across != 1 || soft.placement.down != 1, true);
+  if (const double reached =
+          robust_distance(soft.image, through_scaling(wanted, soft), soft.region);
+      reached < least) {
+    least = reached;
+    fitted = std::move(soft);
+  }
+  if (fitted.placement.across > 1 && fitted.placement.down > 1) {
+    Fitted again = fitted;
+    again.softened = again.repeated = true;
+    const double reached =
+        robust_distance(again.image, through_scaling(wanted, again), again.region);
+    if (reached < kRepeatedIsNearer * least) fitted = std::move(again), least = reached;
+  }
   const GridPlacement whole = rounded(fitted.placement, wanted.width, wanted.height);
   if (fitted.alignment.unpainted || whole == fitted.placement) return;
   Fitted moved = placed_at(fitted, whole);
-  if (robust_distance(moved.image, wanted, moved.region) <= least) fitted = std::move(moved);
+  if (robust_distance(moved.image, wanted, moved.region) <= kAsNear * least)
+    fitted = std::move(moved);
 }
 
 }  // namespace zraka

@@ -128,6 +128,22 @@ Image resampled(const Image& image, const GridPlacement& placement, std::uint32_
   return out;
 }
 
+Image repeated(const Image& image, const GridPlacement& placement, std::uint32_t width,
+               std::uint32_t height) {
+  const auto nearest = [](double start, double step, std::uint32_t i, std::uint32_t size) {
+    return static_cast<std::uint32_t>(
+        std::clamp(std::floor(start + (i + 0.5) * step), 0.0, static_cast<double>(size) - 1));
+  };
+  Image out(width, height);
+  for (std::uint32_t y = 0; y < height; ++y) {
+    const float* row = image.row(nearest(placement.top, placement.down, y, image.height));
+    for (std::uint32_t x = 0; x < width; ++x)
+      std::copy_n(row + std::size_t{3} * nearest(placement.left, placement.across, x, image.width),
+                  3, out.row(y) + std::size_t{3} * x);
+  }
+  return out;
+}
+
 Grid resampled(const Grid& plane, const GridPlacement& placement, std::uint32_t width,
                std::uint32_t height) {
   Grid out(width, height);

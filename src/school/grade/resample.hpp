@@ -33,6 +33,9 @@ GridPlacement inverse(const GridPlacement& placement);
 /// outside has the colour of the edge.
 Image resampled(const Image& image, const GridPlacement& placement, std::uint32_t width,
                 std::uint32_t height);
+/// The same by the pixels that lie nearest.
+Image repeated(const Image& image, const GridPlacement& placement, std::uint32_t width,
+               std::uint32_t height);
 Grid resampled(const Grid& grid, const GridPlacement& placement, std::uint32_t width,
                std::uint32_t height);
 

@@ -39,6 +39,7 @@ RoundTrip::RoundTrip(const Fitted& fitted, const JpegTables* tables) : tables_(t
   part_.turn = fitted.turn;
   part_.exact = fitted.exact;
   part_.softened = fitted.softened;
+  part_.repeated = fitted.repeated;
   part_.placement = fitted.placement;
   part_.width = fitted.width;
   part_.height = fitted.height;
@@ -84,7 +85,7 @@ Image RoundTrip::operator()(Image image) const {
   if (part_.image.pixels.empty()) return compressed(image);
   const GridPlacement& at = part_.placement;
   Image there = part_.image;
-  const Image drawn = resampled(image, inverse(at), there.width, there.height);
+  const Image drawn = scaled_into(image, part_, there.width, there.height);
   const auto clamped = [](double value, std::uint32_t most) {
     return static_cast<std::uint32_t>(
         std::clamp(std::round(value), 0.0, static_cast<double>(most)));
