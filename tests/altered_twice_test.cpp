@@ -5,6 +5,7 @@
 
 #include "handed_in.hpp"
 #include "school/grade/refine.hpp"
+#include "school/grade/unpainted.hpp"
 
 namespace zraka {
 namespace {
@@ -104,6 +105,52 @@ TEST_F(AlteredTwice, HasClearEdgesInAJpeg) {
   const std::string file = (folder / "shadow.jpg").string();
   std::ofstream(file, std::ios::binary) << jpeg_file(a.image, 60);
   expect_right(of_second.grade(file).stages.front());
+}
+
+TEST_F(AlteredTwice, IsRightWithAGridInAJpeg) {
+  for (const Alteration quality : {Alteration::jpeg_85, Alteration::jpeg_60})
+    for (const auto& [stage, name] : {std::pair(3, "diffuse"), std::pair(5, "shadow")}) {
+      const StageGrade grade = judged(grader.picture(stage), {Alteration::grid, quality}, name);
+      expect_right(grade);
+      EXPECT_TRUE(grade.alignment.unpainted);
+      EXPECT_NEAR(grade.alignment.across, 1.25, 1e-6);
+      EXPECT_LT(grade.share_wrong, 0.01);
+    }
+  const StageGrade wrong =
+      judged(grader.picture(7, Mistake::diffuse_sine), {Alteration::grid, Alteration::jpeg_60});
+  EXPECT_EQ(wrong.mistakes, std::vector<Mistake>{Mistake::diffuse_sine});
+  const StageGrade turned =
+      judged(grader.picture(7), {Alteration::transposed, Alteration::grid, Alteration::jpeg_60});
+  expect_right(turned);
+}
+
+/// Where a screen of any scale leaves lines, which a JPEG's blocks and a picture's own are not.
+TEST_F(AlteredTwice, KnowsUnpaintedLinesByWhereTheyLie) {
+  const Image right = grader.picture(7);
+  for (const double scale : {1.2, 1.25, 1.5, 1.75}) {
+    const auto at = [&](std::uint32_t i) { return static_cast<std::uint32_t>(i * scale); };
+    Image lines(at(right.width), at(right.height));
+    for (float& value : lines.pixels) value = 0.9F;
+    for (std::uint32_t y = 0; y < right.height; ++y)
+      for (std::uint32_t x = 0; x < right.width; ++x)
+        std::copy_n(right.row(y) + std::size_t{3} * x, 3,
+                    lines.row(at(y)) + std::size_t{3} * at(x));
+    const std::string file = jpeg_file(lines, 85);
+    const std::optional<UnpaintedLines> found =
+        find_unpainted(parse_image(file, "a.jpg").value().image, jpeg_tables(file).value());
+    ASSERT_TRUE(found) << scale;
+    EXPECT_EQ(found->columns.size(), right.width) << scale;
+    EXPECT_EQ(found->rows.size(), right.height) << scale;
+    for (std::uint32_t x = 0; x < found->columns.size(); ++x)
+      ASSERT_EQ(found->columns[x], at(x)) << scale;
+    EXPECT_NEAR(found->color[1], 0.9, 0.02) << scale;
+  }
+  for (const int quality : {20, 60, 85}) {
+    const std::string file = jpeg_file(on_screen(right), quality);
+    EXPECT_FALSE(
+        find_unpainted(parse_image(file, "a.jpg").value().image, jpeg_tables(file).value()))
+        << quality;
+  }
 }
 
 }  // namespace

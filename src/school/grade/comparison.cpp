@@ -40,7 +40,8 @@ StageComparison::StageComparison(const StagePictures& pictures, int stage, const
       wanted_(sized_.right(stage)),
       fitted_(fitted),
       jpeg_(compression.jpeg),
-      tables_(compression.tables) {
+      tables_(compression.tables),
+      unpainted_(compression.unpainted) {
   const Image mistaken = by == MistakenBy{} ? Image() : sized_.picture(stage, by);
   const Image& shown = by == MistakenBy{} ? wanted_ : mistaken;
   if (stage > 1) lie_best_on(shown);
@@ -77,7 +78,7 @@ void StageComparison::lie_best_on(const Image& picture) {
 void StageComparison::take_way(std::size_t way) {
   way_ = way;
   // Of what was compressed with other colours the same colours lose something else.
-  as_handed_in_ = RoundTrip(fitted_, way == 0 && stage_ != 1 ? tables_ : nullptr);
+  as_handed_in_ = RoundTrip(fitted_, way == 0 && stage_ != 1 ? tables_ : nullptr, unpainted_);
   taken_ = aligned(fitted_.image, ways_[way]);
   smooth_ = smoothed(taken_, close_.blur);
 }

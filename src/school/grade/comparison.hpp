@@ -38,7 +38,8 @@ struct LeftOfChange {
 /// How a submission was compressed.
 struct Compression {
   bool jpeg = false;
-  const JpegTables* tables = nullptr;  ///< where they are known
+  const JpegTables* tables = nullptr;         ///< where they are known
+  const UnpaintedLines* unpainted = nullptr;  ///< that the submission is without
 };
 
 class StageComparison {
@@ -71,7 +72,9 @@ class StageComparison {
   /// values between those of neighbours are excused no more. Right pictures leave no blocks.
   Rest left_of_rounding(const Image& picture) const;
   /// Is every picture compressed by the submission's own tables, pixel by pixel?
-  bool compresses_alike() const { return tables_ != nullptr && fitted_.exact && way_ == 0; }
+  bool compresses_alike() const {
+    return tables_ != nullptr && unpainted_ == nullptr && fitted_.exact && way_ == 0;
+  }
   LeftOfChange left_of_change(const Image& picture) const;
   Match look_at(const Candidate& candidate, const Image& picture) const;
 
@@ -108,6 +111,7 @@ class StageComparison {
   std::size_t way_ = 0;
   bool jpeg_;
   const JpegTables* tables_;
+  const UnpaintedLines* unpainted_;
   RoundTrip as_handed_in_;
   Image taken_, smooth_;
   Match right_;

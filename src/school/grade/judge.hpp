@@ -17,7 +17,9 @@ class Registered {
       : read_(read), pictures_(pictures), sizes_(sizes) {}
   const Image& handed_in() const { return read_.image; }
   bool jpeg() const { return read_.jpeg; }
-  Compression compression() const { return {jpeg(), read_.tables ? &*read_.tables : nullptr}; }
+  Compression compression() const {
+    return {jpeg(), read_.tables ? &*read_.tables : nullptr, read_.unpainted.get()};
+  }
   /// As a whole, pixel by pixel: where it shows what the scene does there. Fast to find.
   const std::vector<Fitted>& plain() const;
   /// Wherever outlines say that it may be, the plainest first.

@@ -13,16 +13,12 @@ namespace {
 /// A JPEG's blocks, where colours have half as many samples.
 constexpr std::uint32_t kJpegBlock = 16;
 
-struct BlockBox {
-  std::uint32_t left, top, right, bottom;
-};
-
 Turn undone(const Turn& turn) {
   return {turn.flipped, turn.transposed, turn.flipped_first};
 }
 
 /// A box of a picture of `width` × `height`, in the picture turned.
-BlockBox box_turned_by(BlockBox box, const Turn& turn, std::uint32_t width, std::uint32_t height) {
+DrawnBox box_turned_by(DrawnBox box, const Turn& turn, std::uint32_t width, std::uint32_t height) {
   const auto flip = [&] { box = {box.left, height - box.bottom, box.right, height - box.top}; };
   if (turn.flipped_first) flip();
   if (turn.transposed) {
@@ -35,7 +31,9 @@ BlockBox box_turned_by(BlockBox box, const Turn& turn, std::uint32_t width, std:
 
 }  // namespace
 
-RoundTrip::RoundTrip(const Fitted& fitted, const JpegTables* tables) : tables_(tables) {
+RoundTrip::RoundTrip(const Fitted& fitted, const JpegTables* tables,
+                     const UnpaintedLines* unpainted)
+    : tables_(tables), unpainted_(unpainted) {
   part_.turn = fitted.turn;
   part_.exact = fitted.exact;
   part_.softened = fitted.softened;
@@ -49,18 +47,22 @@ RoundTrip::RoundTrip(const Fitted& fitted, const JpegTables* tables) : tables_(t
     return;
   }
   if (fitted.source == nullptr) return;
+  if (unpainted_ != nullptr) {
+    part_.image = *fitted.source;
+    return;
+  }
   const GridPlacement& at = fitted.placement;
   const auto inside = [](double value, std::uint32_t most) {
     return static_cast<std::uint32_t>(std::clamp(value, 0.0, static_cast<double>(most)));
   };
-  const BlockBox turned{inside(std::floor(at.left), fitted.width),
+  const DrawnBox turned{inside(std::floor(at.left), fitted.width),
                         inside(std::floor(at.top), fitted.height),
                         inside(std::ceil(at.left + at.across * fitted.image.width), fitted.width),
                         inside(std::ceil(at.top + at.down * fitted.image.height), fitted.height)};
   // Blocks begin where the file does.
   const std::uint32_t width = fitted.turn.transposed ? fitted.height : fitted.width,
                       height = fitted.turn.transposed ? fitted.width : fitted.height;
-  BlockBox box = box_turned_by(turned, undone(fitted.turn), fitted.width, fitted.height);
+  DrawnBox box = box_turned_by(turned, undone(fitted.turn), fitted.width, fitted.height);
   box = {box.left / kJpegBlock * kJpegBlock, box.top / kJpegBlock * kJpegBlock,
          std::min(width, (box.right + kJpegBlock - 1) / kJpegBlock * kJpegBlock),
          std::min(height, (box.bottom + kJpegBlock - 1) / kJpegBlock * kJpegBlock)};
@@ -68,7 +70,7 @@ RoundTrip::RoundTrip(const Fitted& fitted, const JpegTables* tables) : tables_(t
     tables_ = nullptr;
     return;
   }
-  const BlockBox part = box_turned_by(box, fitted.turn, width, height);
+  const DrawnBox part = box_turned_by(box, fitted.turn, width, height);
   part_.width = part.right - part.left;
   part_.height = part.bottom - part.top;
   part_.placement.left -= part.left;
@@ -76,13 +78,19 @@ RoundTrip::RoundTrip(const Fitted& fitted, const JpegTables* tables) : tables_(t
   part_.image = cropped(*fitted.source, part.left, part.top, part_.width, part_.height);
 }
 
+/// What was drawn in a box of it is another picture's.
+Image RoundTrip::compressed(const Image& there, const DrawnBox& drawn) const {
+  const Image handed_in = zraka::turned_by(there, undone(part_.turn));
+  if (unpainted_ == nullptr)
+    return zraka::turned_by(compressed_again(handed_in, *tables_), part_.turn);
+  const DrawnBox box = box_turned_by(drawn, undone(part_.turn), there.width, there.height);
+  const Image lines = unpainted_->unpainted(handed_in, box.left, box.top, box.right, box.bottom);
+  return zraka::turned_by(unpainted_->painted(compressed_again(lines, *tables_)), part_.turn);
+}
+
 Image RoundTrip::operator()(Image image) const {
   if (tables_ == nullptr) return part_.softened ? through_scaling(image, part_) : image;
-  const auto compressed = [&](const Image& there) {
-    const Image handed_in = zraka::turned_by(there, undone(part_.turn));
-    return zraka::turned_by(compressed_again(handed_in, *tables_), part_.turn);
-  };
-  if (part_.image.pixels.empty()) return compressed(image);
+  if (part_.image.pixels.empty()) return compressed(image, {0, 0, image.width, image.height});
   const GridPlacement& at = part_.placement;
   Image there = part_.image;
   const Image drawn = scaled_into(image, part_, there.width, there.height);
@@ -90,13 +98,13 @@ Image RoundTrip::operator()(Image image) const {
     return static_cast<std::uint32_t>(
         std::clamp(std::round(value), 0.0, static_cast<double>(most)));
   };
-  const std::uint32_t left = clamped(at.left, there.width),
+  const std::uint32_t left = clamped(at.left, there.width), top = clamped(at.top, there.height),
                       right = clamped(at.left + at.across * image.width, there.width),
                       bottom = clamped(at.top + at.down * image.height, there.height);
-  for (std::uint32_t y = clamped(at.top, there.height); y < bottom; ++y)
+  for (std::uint32_t y = top; y < bottom; ++y)
     std::copy(drawn.row(y) + std::size_t{3} * left, drawn.row(y) + std::size_t{3} * right,
               there.row(y) + std::size_t{3} * left);
-  return resampled(compressed(there), at, image.width, image.height);
+  return resampled(compressed(there, {left, top, right, bottom}), at, image.width, image.height);
 }
 
 }  // namespace zraka

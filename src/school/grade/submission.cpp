@@ -229,6 +229,11 @@ Result<DecodedPicture> read_picture(const SubmittedPicture& picture, const Pictu
       pixels = scaled_by_area(pixels, less(pixels.width), less(pixels.height));
       made.tables.reset();
     }
+    if (!made.tables) return made;
+    if (std::optional<UnpaintedLines> lines = find_unpainted(pixels, *made.tables)) {
+      made.unpainted = std::make_shared<const UnpaintedLines>(std::move(*lines));
+      pixels = made.unpainted->painted(made.unpainted->handed_in);
+    }
     return made;
   };
   const auto read = [&](std::uint64_t most_pixels) -> Result<DecodedPicture> {

@@ -2,6 +2,7 @@
 // What somebody handed in: pictures in a file, a folder or an archive.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <zraka/school/grade.hpp>
 
 #include "image/jpeg_again.hpp"
+#include "school/grade/unpainted.hpp"
 
 namespace zraka {
 
@@ -33,6 +35,8 @@ struct DecodedPicture {
   Image image;
   bool jpeg = false;
   std::optional<JpegTables> tables{};  ///< of a JPEG that has its own size
+  /// Lines of a JPEG that `image` is without; nullptr where there are none.
+  std::shared_ptr<const UnpaintedLines> unpainted{};
 };
 
 /// What pictures are compared with.

@@ -126,6 +126,20 @@ std::vector<Match> Judge::hidden_besides(const MistakenBy& by, const Image& pict
   return hidden;
 }
 
+/// Where it lies in what was handed in, with the lines that were left unpainted.
+static void put_lines_back(const UnpaintedLines& lines, Alignment& alignment) {
+  const double across = static_cast<double>(lines.handed_in.width) /
+                        static_cast<double>(lines.columns.size()),
+               down = static_cast<double>(lines.handed_in.height) /
+                      static_cast<double>(lines.rows.size());
+  const bool turned = alignment.transposed;
+  alignment.across *= turned ? down : across;
+  alignment.left *= turned ? down : across;
+  alignment.down *= turned ? across : down;
+  alignment.top *= turned ? across : down;
+  alignment.scaled = alignment.unpainted = true;
+}
+
 void Judge::settle(Verdict verdict, const Rest& left, StageGrade& grade) const {
   const Alignment& way = compared_.ways()[compared_.way()];
   const Image& wanted = compared_.wanted();
@@ -133,6 +147,7 @@ void Judge::settle(Verdict verdict, const Rest& left, StageGrade& grade) const {
   grade.alignment = compared_.fitted().alignment;
   grade.alignment.swapped = way.swapped;
   grade.alignment.curve = way.curve;
+  if (compression_.unpainted != nullptr) put_lines_back(*compression_.unpainted, grade.alignment);
   if (compared_.fitted().pictures != nullptr) {
     grade.alignment.drawn_width = wanted.width;
     grade.alignment.drawn_height = wanted.height;
