@@ -24,15 +24,14 @@ constexpr NormalOf kNormalOf[kBodyTypes] = {
 };
 
 template <class Shape>
-OnBody on(const FrozenBodies& bodies, std::int32_t body, const V3<double>& point) {
-  OnBody found{};
+BodySurface on(const FrozenBodies& bodies, std::int32_t body, const V3<double>& point) {
+  BodySurface s{};
   if constexpr (!ShapeTraits<Shape>::kComposed) {
     const double* const row = bodies.numbers + bodies.start[body];
     const double* const m = row + kBodyMatrix;
     const V3<double> x{m[0], m[1], m[2]}, y{m[3], m[4], m[5]}, z{m[6], m[7], m[8]};
     const V3<double> p = point - V3<double>{row[0], row[1], row[2]};
-    found.surface = ShapeTraits<Shape>::surface(row + kBodyNumbers, {dot(x, p), dot(y, p), dot(z, p)});
-    BodySurface& s = found.surface;
+    s = ShapeTraits<Shape>::surface(row + kBodyNumbers, {dot(x, p), dot(y, p), dot(z, p)});
     // A gradient goes back by the transposed matrix, what moves along the surface by its inverse.
     s.normal = x * s.normal.x + y * s.normal.y + z * s.normal.z;
     const V3<double> yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
@@ -42,12 +41,24 @@ OnBody on(const FrozenBodies& bodies, std::int32_t body, const V3<double>& point
     };
     s.along_u = back(s.along_u);
     s.along_v = back(s.along_v);
-    found.curvature = s.curvature * std::sqrt(std::fmax(dot(x, x), std::fmax(dot(y, y), dot(z, z))));
   }
-  return found;
+  return s;
 }
 
-using On = OnBody (*)(const FrozenBodies&, std::int32_t, const V3<double>&);
+template <class Shape>
+constexpr double own_curvature() {
+  if constexpr (requires { ShapeTraits<Shape>::kCurvature; })
+    return ShapeTraits<Shape>::kCurvature;
+  else
+    return 0;
+}
+constexpr double kOwnCurvature[kBodyTypes] = {
+#define ZRAKA_FUNCTION(Type, plural) own_curvature<Type>(),
+    ZRAKA_BODIES(ZRAKA_FUNCTION)
+#undef ZRAKA_FUNCTION
+};
+
+using On = BodySurface (*)(const FrozenBodies&, std::int32_t, const V3<double>&);
 constexpr On kOn[kBodyTypes] = {
 #define ZRAKA_FUNCTION(Type, plural) on<Type>,
     ZRAKA_BODIES(ZRAKA_FUNCTION)
@@ -60,8 +71,16 @@ V3<double> own_normal(std::uint8_t type, const double* numbers, const V3<double>
   return kNormalOf[type](numbers, point);
 }
 
-OnBody on_body(const FrozenBodies& bodies, std::int32_t body, const V3<double>& point) {
+BodySurface on_body(const FrozenBodies& bodies, std::int32_t body, const V3<double>& point) {
   return kOn[bodies.type[body]](bodies, body, point);
+}
+
+double curvature_of_body(const FrozenBodies& bodies, std::int32_t body) {
+  const double own = kOwnCurvature[bodies.type[body]];
+  if (own == 0) return 0;
+  const double* const m = bodies.numbers + bodies.start[body] + kBodyMatrix;
+  const V3<double> x{m[0], m[1], m[2]}, y{m[3], m[4], m[5]}, z{m[6], m[7], m[8]};
+  return own * std::sqrt(std::fmax(dot(x, x), std::fmax(dot(y, y), dot(z, z))));
 }
 
 int csg_crossings(const FrozenBodies& bodies, std::int32_t body, const V3<double>& origin,

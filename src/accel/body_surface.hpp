@@ -16,15 +16,11 @@ struct CsgCrossing {
   bool whole;         ///< whether the ray is inside the whole behind it
 };
 
-/// A point of a body's surface in the engine's frame.
-struct OnBody {
-  BodySurface surface;
-  double curvature;
-};
-
 namespace isa_oracle {
-/// Of a body that is made of no others.
-OnBody on_body(const FrozenBodies& bodies, std::int32_t body, const V3<double>& point);
+/// A point of the surface of a body that is made of no others, in the engine's frame.
+BodySurface on_body(const FrozenBodies& bodies, std::int32_t body, const V3<double>& point);
+/// 1 over the least radius there, roughly: how much it spreads what it mirrors. The same everywhere.
+double curvature_of_body(const FrozenBodies& bodies, std::int32_t body);
 /// What surface() says of a body that is made of no others: Placement's numbers, a point in its own
 /// space.
 V3<double> own_normal(std::uint8_t type, const double* numbers, const V3<double>& point);

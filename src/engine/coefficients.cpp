@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <optional>
 
 #include "accel/body_surface.hpp"
 #include "engine/shape_spaces.hpp"
+#include "engine/waiting_hits.hpp"
 #include "scene/bounds_of.hpp"
 #include "shapes/primitive_uv.hpp"
 #include "textures/texture_set.hpp"
@@ -31,8 +31,6 @@ V3<double> three(const R* x, const R* y, const R* z, std::size_t i) {
 struct Found {
   BodySurface surface{};      ///< its tangents in that frame
   V3<double> point{};         ///< in that frame
-  std::int32_t transform = 0;  ///< Object::transform
-  double curvature = 0;
 };
 
 /// What of it somebody wants to know, beside the transform.
@@ -40,41 +38,21 @@ struct Wanted {
   bool surface, curvature, footprint, unit;
 };
 
-/// Object::transform of what is hit, where that is all that is asked for.
-template <class R>
-std::int32_t transform_on(const FrozenScene<R>& scene, const HitPath& path) {
-#define ZRAKA_TRANSFORM(Type, plural)                                              \
-  if (const std::int32_t at = path.slot - scene.plural.first_slot;                 \
-      at >= 0 && at < scene.plural.count) {                                        \
-    const FrozenMapping& mapping = scene.plural.mapping;                           \
-    return mapping.transform == nullptr                                            \
-               ? 0                                                                 \
-               : mapping.transform[scene.plural.id[at] - scene.plural.first_id];   \
-  }
-  ZRAKA_INLINED_KINDS(ZRAKA_TRANSFORM)
-#undef ZRAKA_TRANSFORM
-  return scene.bodies.transform[path.body];
-}
-
 /// The tables of one kind of primitive: where in it a slot is, and what it is there.
 template <class R, class Shape>
 bool find_primitive(const FrozenScene<R>& scene, const FrozenTextures& textures,
-                    const FrozenShapes<R, Shape>& shapes, std::int32_t slot, const Wanted& wanted,
-                    Found& found) {
+                    const FrozenShapes<R, Shape>& shapes, std::int32_t slot,
+                    std::int32_t transform, Found& found) {
   const std::int32_t at = slot - shapes.first_slot;
   if (at < 0 || at >= shapes.count) return false;
   const std::int32_t index = shapes.id[at] - shapes.first_id;
   const FrozenMapping& mapping = shapes.mapping;
-  if (mapping.transform != nullptr) found.transform = mapping.transform[index];
   double numbers[ShapeTraits<Shape>::kReals];
   for (int k = 0; k < ShapeTraits<Shape>::kReals; ++k)
     numbers[k] = static_cast<double>(shapes.column[k][at]);
-  const Shape* const kind = nullptr;
-  found.curvature = curvature_of(kind, numbers);
-  if (!wanted.surface) return true;
   UvContext context;
-  if (found.transform != 0) {
-    const Transform& t = textures.to_shape[found.transform - 1];
+  if (transform != 0) {
+    const Transform& t = textures.to_shape[transform - 1];
     const double scale = 1 / scene.frame_scale;
     context.x = vector_of(t.along_x) * scale;
     context.y = vector_of(t.along_y) * scale;
@@ -85,23 +63,18 @@ bool find_primitive(const FrozenScene<R>& scene, const FrozenTextures& textures,
   const WholeTriangle* const whole = std::lower_bound(
       mapping.wholes, end, index, [](const WholeTriangle& t, std::int32_t i) { return t.index < i; });
   if (whole != end && whole->index == index) context.whole_corners = whole->corners;
-  found.surface = uv_of(kind, numbers, found.point, context);
+  found.surface = uv_of(static_cast<const Shape*>(nullptr), numbers, found.point, context);
   return true;
 }
 
 template <class R>
 void find_on_shape(const FrozenScene<R>& scene, const FrozenTextures& textures,
-                   const HitPath& path, const V3<double>& point, const Wanted& wanted,
-                   Found& found) {
-  found.point = point;
+                   const HitPath& path, std::int32_t transform, Found& found) {
 #define ZRAKA_FIND(Type, plural) \
-  if (find_primitive(scene, textures, scene.plural, path.slot, wanted, found)) return;
+  if (find_primitive(scene, textures, scene.plural, path.slot, transform, found)) return;
   ZRAKA_INLINED_KINDS(ZRAKA_FIND)
 #undef ZRAKA_FIND
-  found.transform = scene.bodies.transform[path.body];
-  const OnBody on = isa_oracle::on_body(scene.bodies, path.body, point);
-  found.surface = on.surface;
-  found.curvature = on.curvature;
+  found.surface = isa_oracle::on_body(scene.bodies, path.body, found.point);
 }
 
 /// One hit: where it is for textures, and how its normal may be bent.
@@ -154,49 +127,41 @@ void find_unit(const V3<double>& point, const V3<double>& normal, Seen& seen) {
 }
 
 template <class R>
-Seen look(ShapeSpaces<R>& ways, const FrozenTextures& textures, const HitPath& path,
-          const V3<double>& point, const V3<double>& normal, const V3<double>& view, double width,
-          const Wanted& wanted, HitDetail& detail) {
+Seen look(ShapeSpaces<R>& ways, LastShape<R>& shape, const FrozenTextures& textures,
+          const HitPath& path, const V3<double>& point, const V3<double>& normal,
+          const V3<double>& view, double width, const Wanted& wanted, HitDetail& detail) {
   ways.follow(path);
-  // To the scene's own frame nothing moves, and no zero is left below 0.
-  const Vec3 at = path.group == nullptr ? Vec3{point.x + 0.0, point.y + 0.0, point.z + 0.0}
-                                        : moved(vec3_of(point), ways.to_group());
-  const bool asks = wanted.surface || wanted.curvature;
-  std::optional<Found> found;  // many textures need a point alone
-  if (asks) find_on_shape(ways.home(), textures, path, vector_of(at), wanted, found.emplace());
-
-  Seen seen{detail, ways.to_shape(asks ? found->transform : transform_on(ways.home(), path))};
+  shape.follow(ways.home(), path);
+  Seen seen{detail, ways.to_shape(shape.transform())};
   TexturePoint& to = detail.at;  // what nobody asks for stays as it is
-  if (wanted.surface) {
-    seen.along_u = vector_of(turned(vec3_of(found->surface.along_u), ways.from_group()));
-    seen.along_v = vector_of(turned(vec3_of(found->surface.along_v), ways.from_group()));
-    to.u = found->surface.u, to.v = found->surface.v;
-    to.v_ends = found->surface.v_ends;
+  if (wanted.surface) {  // many textures need a point alone
+    // To the scene's own frame nothing moves, and no zero is left below 0.
+    const Vec3 at = path.group == nullptr ? Vec3{point.x + 0.0, point.y + 0.0, point.z + 0.0}
+                                          : moved(vec3_of(point), ways.to_group());
+    Found found{.point = vector_of(at)};
+    find_on_shape(ways.home(), textures, path, shape.transform(), found);
+    seen.along_u = vector_of(turned(vec3_of(found.surface.along_u), ways.from_group()));
+    seen.along_v = vector_of(turned(vec3_of(found.surface.along_v), ways.from_group()));
+    to.u = found.surface.u, to.v = found.surface.v;
+    to.v_ends = found.surface.v_ends;
   }
   to.point = vector_of(moved(vec3_of(point), seen.to_shape));
   if (wanted.footprint) find_footprint(seen, normal, view, width, to);
   to.error = 0;
   if (wanted.unit) find_unit(point, normal, seen);
   seen.detail.width = width;
-  seen.detail.curvature = asks ? found->curvature * ways.group_scale() : 0;
+  seen.detail.curvature =
+      wanted.surface || wanted.curvature ? shape.curvature() * ways.group_scale() : 0;
   return seen;
 }
 
-/// The columns of a coefficient, and how many.
-struct Columns {
-  int first, count;
-};
-constexpr Columns kColumnsOf[] = {{kAmbient, 3},   {kDiffuse, 3},    {kSpecular, 3},
-                                  {kShininess, 1}, {kReflection, 1}, {kRefraction, 1}};
-
+/// How wide a ray's cone is at its hit.
 template <class R>
-void put(Coefficient coefficient, const TextureValue& value, R* row) {
-  const auto [first, count] = kColumnsOf[static_cast<int>(coefficient)];
-  const double numbers[] = {value.x, value.y, value.z};
-  if (count == 1)
-    row[first] = static_cast<R>((value.x + value.y + value.z) / 3);
-  else
-    for (int k = 0; k < 3; ++k) row[first + k] = static_cast<R>(numbers[k]);
+double width_of_cone(const Level<R>& level, const Scratch<R>& scratch, std::size_t h) {
+  const auto ray = static_cast<std::size_t>(level.hits.ray[h]);
+  const std::size_t at = static_cast<std::size_t>(level.done) + ray;
+  return static_cast<double>(level.rays.width[at]) +
+         static_cast<double>(level.rays.spread[at]) * static_cast<double>(scratch.t[ray]);
 }
 
 /// The normal that a texture makes of a smooth one, on the side of the viewer.
@@ -242,11 +207,14 @@ V3<double> bent(const TextureSet& set, const NormalUse& use, const Seen& seen,
 }  // namespace
 
 template <class R>
-void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R>& scratch) {
+void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scratch<R>& scratch,
+                       ColorHits<R>* color_hits) {
   const FrozenTextures& textures = *scene.textures;
   const auto n = static_cast<std::size_t>(level.hit_count);
   const auto begin = static_cast<std::size_t>(level.done);
   ShapeSpaces<R> ways(scene);
+  LastShape<R> last;
+  WaitingHits<R> waiting(scene, level, scratch, color_hits);
   TextureLookup known;
   for (std::size_t h = 0; h < n; ++h) {
     const std::int32_t material = scratch.material[h];
@@ -260,12 +228,25 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
       scratch.details[h].width = scratch.details[h].curvature = 0;
       continue;
     }
+    if (!scratch.explained && scratch.paths[h].group == nullptr) {
+      HitDetail& detail = scratch.details[h];
+      if (its.in_lanes && color_hits != nullptr) {
+        last.follow(scene, scratch.paths[h]);
+        detail.curvature = has_children ? last.curvature() : 0;
+        waiting.add(static_cast<std::int32_t>(h), material, last.transform());
+        continue;
+      }
+      if (!its.any()) {
+        last.follow(scene, scratch.paths[h]);
+        detail.width = width_of_cone(level, scratch, h);
+        detail.curvature = last.curvature();
+        continue;
+      }
+    }
     const auto ray = static_cast<std::size_t>(level.hits.ray[h]);
     const V3<double> point = three(scratch.px, scratch.py, scratch.pz, h);
     const V3<double> view = three(scratch.vx, scratch.vy, scratch.vz, h);
-    const double width = static_cast<double>(level.rays.width[begin + ray]) +
-                         static_cast<double>(level.rays.spread[begin + ray]) *
-                             static_cast<double>(scratch.t[ray]);
+    const double width = width_of_cone(level, scratch, h);
     const bool bends = its.normals.kind != NormalUse::Kind::none, all = scratch.explained;
     const Wanted wanted{its.sees_uv || all, has_children || all, its.sees_footprint || all,
                         its.has_borders || bends || all};
@@ -274,7 +255,7 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
       normal = three(scratch.nx, scratch.ny, scratch.nz, h);
       normal = normal * (1 / length(normal));
     }
-    const Seen seen = look(ways, textures, scratch.paths[h], point, normal, view, width, wanted,
+    const Seen seen = look(ways, last, textures, scratch.paths[h], point, normal, view, width, wanted,
                      scratch.details[h]);
     seen.detail.at.distance = (static_cast<double>(level.rays.travelled[begin + ray]) +
                                static_cast<double>(scratch.t[ray])) /
@@ -294,12 +275,14 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
     scratch.ny[h] = static_cast<R>(way.y);
     scratch.nz[h] = static_cast<R>(way.z);
   }
+  waiting.color();
 }
 
 template <class R>
 void spread_cones(const Level<R>& level, const Scratch<R>& scratch, Level<R>& next) {
   const auto n = static_cast<std::size_t>(level.hit_count);
   for (std::size_t h = 0; h < n; ++h) {
+    if (level.hits.reflected[h] < 0 && level.hits.refracted[h] < 0) continue;
     const HitDetail& detail = scratch.details[h];
     const auto ray = static_cast<std::size_t>(level.done + level.hits.ray[h]);
     const R* const row = scratch.own_rows + h * kMaterialReals;
@@ -345,9 +328,10 @@ void start_cones(const FrozenCamera<R>& camera, Level<R>& level) {
   }
 }
 
-template void find_coefficients(const FrozenScene<float>&, const Level<float>&, Scratch<float>&);
+template void find_coefficients(const FrozenScene<float>&, const Level<float>&, Scratch<float>&,
+                                ColorHits<float>*);
 template void find_coefficients(const FrozenScene<double>&, const Level<double>&,
-                                Scratch<double>&);
+                                Scratch<double>&, ColorHits<double>*);
 template void spread_cones(const Level<float>&, const Scratch<float>&, Level<float>&);
 template void spread_cones(const Level<double>&, const Scratch<double>&, Level<double>&);
 template void start_cones(const FrozenCamera<float>&, Level<float>&);

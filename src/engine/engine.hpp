@@ -214,6 +214,11 @@ inline constexpr double kFacesAway = -1, kUnknownHighlight = -2;
 
 template <class R>
 struct HitServices;
+struct HitsOfMaterial;
+/// Finds what the textures of hits give (engine/texturing.hpp): writes it into scratch.own_rows,
+/// which has the material's coefficients, and the widths of cones into scratch.details.
+template <class R>
+using ColorHits = void(const HitsOfMaterial& hits, const Level<R>& level, Scratch<R>& scratch);
 
 /// What is asked of an instruction set beside whole tiles.
 template <class R>
@@ -249,6 +254,7 @@ struct Services {
   std::size_t (*drop_blocked)(const FrozenScene<R>& scene, std::size_t n, Scratch<R>& scratch,
                               std::int32_t* blocked_hits);
   const HitServices<R>* hits;  ///< engine/hit_services.hpp
+  ColorHits<R>* color_hits;
 };
 
 /// One way to compute, for render/ to pick.

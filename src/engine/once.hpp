@@ -13,5 +13,7 @@ extern template std::uint32_t blocked_in_hierarchy<WideLanes>(const FrozenScene<
                                                               LastBlocker&, RayGroup<WideLanes>&);
 extern template void trace_shadow_rays<WideLanes>(const FrozenScene<float>&, std::size_t,
                                                   Scratch<float>&);
+extern template void color_hits<WideLanes>(const HitsOfMaterial&, const Level<float>&,
+                                           Scratch<float>&);
 
 }  // namespace zraka::ZRAKA_ISA

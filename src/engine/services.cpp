@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the general engine asks of one instruction set. CMake compiles this file once for each, like
 // engine/kernel.cpp.
+#include "engine/coefficients.hpp"
 #include "engine/hemisphere.hpp"
 #include "engine/hits.hpp"
 #include "engine/light_samples.hpp"
@@ -39,6 +40,6 @@ const Services<Lanes::Real> kServices = {find_hits, find_blocked_in_order<Lanes>
                                          find_arriving<Lanes>,
                                          sample_light<Lanes>,
                                          find_highlights<Lanes>, make_rays,
-                                         drop_blocked<Lanes>, &kHitServices};
+                                         drop_blocked<Lanes>, &kHitServices, color_hits<Lanes>};
 
 }  // namespace zraka::ZRAKA_ISA

@@ -28,7 +28,7 @@ void trace_batch(const FrozenScene<R>& scene, const TraceSettings& settings, Lev
   trace_nearest<L>(scene, level, workspace.scratch, steps);
   counts.hits += static_cast<std::uint64_t>(level.hit_count);
   find_surfaces<L>(scene, level, workspace.scratch, steps);
-  take_coefficients(scene, level, workspace.scratch);
+  take_coefficients(scene, level, workspace.scratch, &color_hits<L>);
   light_hits<L>(scene, settings, level, workspace.scratch, counts, record, steps);
 
   if (settings.terms.silhouette) return;

@@ -41,6 +41,10 @@ ZRAKA_INLINE std::uint32_t bits_of_doubles(bool m) {
   return m ? 1 : 0;
 }
 
+ZRAKA_INLINE double floor(double a) {
+  return __builtin_floor(a);
+}
+
 ZRAKA_INLINE bool select(bool m, bool a, bool b) {
   return m ? a : b;
 }
@@ -183,6 +187,19 @@ ZRAKA_INLINE DoubleLanes scale_by_power(DoubleLanes a, DoubleLanes n) {
 }
 ZRAKA_INLINE DoubleLanes round_to_integer(DoubleLanes a) {
   return hn::Round(a.v);
+}
+
+/// std::floor(), but for the sign of zeros.
+ZRAKA_INLINE DoubleLanes floor(DoubleLanes a) {
+#if HWY_ARCH_X86 && HWY_TARGET > HWY_SSE4
+  // The set has none, and Highway takes the lanes apart. From 2^52 on all numbers are whole.
+  const DoubleLanes size = abs(a), large(0x1p52);
+  const DoubleLanes nearest = copy_sign((size + large) - large, a);
+  const DoubleLanes below = select(nearest > a, nearest - DoubleLanes(1), nearest);
+  return select(size < large, below, a);
+#else
+  return hn::Floor(a.v);
+#endif
 }
 
 #if HWY_TARGET == HWY_SCALAR  // one lane of each

@@ -97,8 +97,8 @@ std::array<double, 2> UvFinder<R>::at(const HitPath& path, const V3<double>& poi
   if (find(home, home.frozen.plural, path.slot, in_home, uv)) return uv;
   ZRAKA_INLINED_KINDS(ZRAKA_FIND)
 #undef ZRAKA_FIND
-  const OnBody on = isa_oracle::on_body(home.frozen.bodies, path.body, in_home);
-  return {on.surface.u, on.surface.v};
+  const BodySurface on = isa_oracle::on_body(home.frozen.bodies, path.body, in_home);
+  return {on.u, on.v};
 }
 
 template class UvFinder<float>;

@@ -263,7 +263,7 @@ std::unique_ptr<StoredTextures> freeze_textures(const Scene& scene) {
       return m.normals.kind != NormalUse::Kind::none || std::any_of(uses, uses + count, test);
     };
     const TextureSet& set = stored->set;
-    MaterialTextures its{uses, count, m.normals, false, false, false, false};
+    MaterialTextures its{uses, count, m.normals, false, false, false, false, false};
     its.sees_uv = any_use(
         [&](const TextureUse& use) { return set.mapping(use.texture) == TextureMapping::uv; });
     its.sees_footprint =
@@ -273,6 +273,10 @@ std::unique_ptr<StoredTextures> freeze_textures(const Scene& scene) {
       return use.coefficient == Coefficient::reflection ||
              use.coefficient == Coefficient::refraction;
     });
+    its.in_lanes = m.normals.kind == NormalUse::Kind::none && count > 0 &&
+                   std::all_of(uses, uses + count, [&](const TextureUse& use) {
+                     return set.in_lanes(use.texture);
+                   });
     stored->of_material.push_back(its);
     uses += count;
   }

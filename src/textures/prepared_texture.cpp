@@ -20,9 +20,8 @@ double greatest_width(const TexturePlace& at) {
 }
 
 double tolerance(const PreparedTexture& texture, const TexturePlace& at) {
-  constexpr double kLeast = 0x1p-20, kMost = 0.25;
   const double cells = at.error / texture.size;
-  return cells > kLeast ? std::min(cells, kMost) : kLeast;
+  return cells > kLeastTolerance ? std::min(cells, kMostTolerance) : kLeastTolerance;
 }
 
 }  // namespace zraka

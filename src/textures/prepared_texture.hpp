@@ -29,6 +29,9 @@ struct ImageLevel {
   double last_column, last_row;
 };
 
+/// Coordinates and axes that are as large count as none, or as so large.
+inline constexpr double kHugeNumber = 1e30;
+
 struct PreparedTexture {
   TextureKind kind = TextureKind::checker;
   TextureMapping mapping = TextureMapping::solid;
@@ -43,6 +46,9 @@ struct PreparedTexture {
   TextureWrap wrap = TextureWrap::repeat;
   TextureFilter filter = TextureFilter::mip;
   double reach = 1;
+
+  V3<double> first_colors[2]{};
+  double per_size = 0;  ///< 1/size where that is exact, as it is of powers of two; else 0
 
   // What a kind's prepare() makes.
   Ramp ramp;
@@ -97,12 +103,16 @@ struct TextureLookup {
 void find_taps(const PreparedTexture& texture, const TexturePlace& at, ImageTaps& taps);
 TextureValue value_of_taps(const PreparedTexture& texture, const ImageTaps& taps);
 
+/// The colour at a place in its space.
+TextureValue value_at(const PreparedTexture& texture, const TexturePlace& at);
+
 /// The width of a footprint along a direction of length 1, and where it is widest.
 double width_along(const TexturePlace& at, const V3<double>& direction);
 double greatest_width(const TexturePlace& at);
 
 /// How far below a border between two cells still counts to the cell above, in cells: what rounding
 /// may have done, and a little more, so that a surface in a border has one colour.
+inline constexpr double kLeastTolerance = 0x1p-20, kMostTolerance = 0.25;
 double tolerance(const PreparedTexture& texture, const TexturePlace& at);
 
 }  // namespace zraka

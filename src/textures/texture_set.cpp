@@ -25,7 +25,7 @@ V3<double> to_v3(const Vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-constexpr double kHuge = 1e30;
+constexpr double kHuge = kHugeNumber;
 
 V3<double> finite_point(const V3<double>& p) {
   const auto finite = [](double v) { return std::fabs(v) < kHuge ? v : 0.0; };
@@ -75,7 +75,10 @@ PreparedTexture prepared(const Texture& from) {
   t.offset_u = from.offset_u, t.offset_v = from.offset_v;
   for (const Color& c : from.colors) t.colors.push_back({c.r, c.g, c.b});
   while (t.colors.size() < 2) t.colors.push_back(t.colors.empty() ? V3<double>{} : t.colors[0]);
+  for (std::size_t i = 0; i < 2; ++i) t.first_colors[i] = t.colors[i];
   t.size = from.size > 0 ? std::clamp(from.size, 1 / kHuge, kHuge) : 1;
+  int exponent = 0;
+  if (std::frexp(t.size, &exponent) == 0.5) t.per_size = 1 / t.size;
   t.direction = unit(to_v3(from.direction));
   t.turbulence = std::fabs(from.turbulence) < kHuge ? from.turbulence : 0;
   t.octaves = std::clamp(from.octaves, 1, 32);
@@ -186,6 +189,10 @@ double difference(const PreparedTexture& t, const TexturePoint& at, double step,
 }
 
 }  // namespace
+
+TextureValue value_at(const PreparedTexture& texture, const TexturePlace& at) {
+  return code_of(texture).value(texture, at);
+}
 
 TextureSet::TextureSet(const std::vector<Texture>& textures) {
   textures_.reserve(textures.size());

@@ -30,6 +30,15 @@ class TextureSet {
   /// footprint, or across a small part of the texture's size where that is more.
   V3<double> slope(std::uint32_t texture, const TexturePoint& at) const;
 
+  /// All of them, by their indices.
+  const PreparedTexture* all() const { return textures_.data(); }
+
+  /// Whether it can be asked for many hits at a time (engine/texturing.hpp).
+  bool in_lanes(std::uint32_t texture) const {
+    const PreparedTexture& t = textures_[texture];
+    return t.mapping == TextureMapping::solid && t.kind != TextureKind::image;
+  }
+
   /// Whether what it gives depends on the footprint.
   bool sees_footprint(std::uint32_t texture) const { return textures_[texture].sees_footprint; }
 

@@ -194,7 +194,7 @@ void trace_batch(const Batch<R>& batch, std::int32_t size, Level<R>* next, RaySt
   Level<R>& level = batch.level;
   level.in_batch = std::min(level.ray_count - level.done, size);
   find_hits(batch);
-  take_coefficients(batch.scene, level, batch.scratch);
+  take_coefficients(batch.scene, level, batch.scratch, batch.services.color_hits);
   light_hits(batch);
   const Terms& terms = batch.settings.terms;
   if (terms.silhouette || !(terms.reflection || terms.refraction)) return;

@@ -197,7 +197,7 @@ void find_next(const Batch<R>& batch, std::size_t first, std::size_t n) {
   for (std::int32_t h = 0; h < level.hit_count && keeps_history(batch) && !asks_ways; ++h)
     start_path(found.slot[level.hits.ray[h]], scratch.paths[h]);
   if (batch.optics().textured_passing) {
-    take_coefficients(batch.scene, level, scratch);
+    take_coefficients(batch.scene, level, scratch, batch.services.color_hits);
   } else {
     scratch.coefficients = batch.scene.materials;
     scratch.row = scratch.material;

@@ -31,7 +31,6 @@ struct BodySurface {
   double u = 0, v = 0;
   /// How the point moves with u and with v, for bent normals.
   V3<double> along_u{1, 0, 0}, along_v{0, 1, 0};
-  double curvature = 0;  ///< 1 over the least radius, roughly: how much it spreads what it mirrors
   bool v_ends = false;   ///< v goes from one end to another, and not round
 };
 
@@ -50,6 +49,8 @@ struct BodySurface {
 ///   kNumbers                     how many of Placement's numbers it needs
 ///   place(shape)                 its Placement
 ///   surface(numbers, point)      the BodySurface nearest to a point of its own space
+///   kCurvature                   where it has any that counts: 1 over its least radius there,
+///                                roughly, which says how much it spreads what it mirrors
 
 #ifdef ZRAKA_ISA
 namespace ZRAKA_ISA {

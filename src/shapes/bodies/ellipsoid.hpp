@@ -16,6 +16,7 @@ struct ShapeTraits<Ellipsoid> {
                                                {"elipsoid", "elipsoid", "elipsoida", "elipsoidu"}};
   static constexpr bool kClosed = true, kComposed = false;
   static constexpr int kNumbers = 0;
+  static constexpr double kCurvature = 1;
 
   static Bounds bounds(const Ellipsoid& s) {
     return {{s.center.x - s.radii.x, s.center.y - s.radii.y, s.center.z - s.radii.z},

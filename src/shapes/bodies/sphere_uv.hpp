@@ -20,7 +20,6 @@ inline BodySurface unit_sphere_surface(const V3<double>& p) {
   // Along the circle of latitude, and along the meridian to the north.
   s.along_u = {2 * kPi * p.z, 0, -2 * kPi * p.x};
   const double share = around > 0 ? height / around : 0;
-  s.curvature = 1;
   s.v_ends = true;
   s.along_v = {-kPi * p.x * share, kPi * around * length, -kPi * p.z * share};
   return s;
