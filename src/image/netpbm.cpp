@@ -140,6 +140,13 @@ Result<ReadImage> parse_pnm(const ImageFile& file) {
   read.bits = *most < 256 ? 8 : 16;
   read.image = Image(size->width, size->height);
   const auto largest = static_cast<float>(*most);
+  if (bytes_each == 1 && !text && *most == 255 && channels == 3) {  // as nearly all have it
+    float value_of[256];
+    for (int value = 0; value < 256; ++value) value_of[value] = static_cast<float>(value) / largest;
+    for (std::size_t i = 0; i < stored.size(); ++i)
+      read.image.pixels[i] = value_of[static_cast<unsigned char>(stored[i])];
+    return read;
+  }
   const char* at = stored.data();
   float* out = read.image.pixels.data();
   for (std::uint64_t i = 0; i < size->pixels(); ++i, out += 3)

@@ -2,7 +2,9 @@
 #include "textures/pyramid.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -69,26 +71,32 @@ long rounded(double x) {
   return static_cast<long>(x + 0.5);
 }
 
+/// Whether the sum of four numbers is small as whole 255ths.
+bool is_plain(const std::vector<float>& from) {
+  // Without branches, so that the compiler makes lanes of it. As integers, numbers from 0 on are in
+  // the same order, and all others are larger.
+  std::uint32_t most = 0;
+  for (const float value : from) most = std::max(most, std::bit_cast<std::uint32_t>(value));
+  return most < std::bit_cast<std::uint32_t>(0x1p20f);
+}
+
 /// Numbers as whole 255ths.
+void find_bytes(const float* from, std::vector<std::int32_t>& to) {
+  for (std::size_t i = 0; i < to.size(); ++i)
+    to[i] = static_cast<std::int32_t>(static_cast<double>(from[i]) * 255 + 0.5);
+}
 void find_bytes(const float* from, std::vector<long>& to) {
-  // Of what is small enough, a loop without branches, which the compiler makes lanes of.
-  bool plain = true;
-  for (std::size_t i = 0; i < to.size(); ++i) plain &= from[i] >= 0 && from[i] < 0x1p22f;
-  if (plain) {
-    for (std::size_t i = 0; i < to.size(); ++i)
-      to[i] = static_cast<std::int32_t>(static_cast<double>(from[i]) * 255 + 0.5);
-    return;
-  }
   for (std::size_t i = 0; i < to.size(); ++i)
     to[i] = rounded(static_cast<double>(from[i]) * 255);
 }
 
+template <class Whole>
 Image halved_bytes(const Image& image) {
   Image half(std::max(image.width / 2, 1u), std::max(image.height / 2, 1u));
   const std::uint32_t below = image.height > 1 ? 1 : 0;
   const std::size_t step = image.width > 1 ? 6 : 3, right = step - 3;
   const auto rows = [&](std::size_t begin, std::size_t end) {
-    std::vector<long> upper(std::size_t{3} * image.width), lower(upper.size());
+    std::vector<Whole> upper(std::size_t{3} * image.width), lower(upper.size());
     for (auto y = static_cast<std::uint32_t>(begin); y < end; ++y) {
       find_bytes(image.row((1 + below) * y), upper);
       find_bytes(image.row((1 + below) * y + below), lower);
@@ -96,7 +104,7 @@ Image halved_bytes(const Image& image) {
       for (std::size_t x = 0; x < half.width; ++x)
         for (std::size_t c = 0; c < 3; ++c) {
           const std::size_t i = step * x + c;
-          const long sum = upper[i] + upper[i + right] + lower[i] + lower[i + right];
+          const Whole sum = upper[i] + upper[i + right] + lower[i] + lower[i + right];
           *out++ = static_cast<float>(sum / 4) / 255.0f;
         }
     }
@@ -112,7 +120,8 @@ Pyramid Pyramid::of_bytes(std::shared_ptr<const Image> image) {
   for (;;) {
     const Image& last = pyramid.level(pyramid.levels() - 1);
     if (last.width <= 1 && last.height <= 1) return pyramid;
-    pyramid.smaller_.push_back(halved_bytes(last));
+    pyramid.smaller_.push_back(is_plain(last.pixels) ? halved_bytes<std::int32_t>(last)
+                                                     : halved_bytes<long>(last));
   }
 }
 
