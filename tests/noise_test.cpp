@@ -2,6 +2,7 @@
 // Noise: where it is zero, its statistics, and that it has no jumps.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 
 #include "texture_places.hpp"
@@ -161,6 +162,36 @@ TEST(Noise, LeavesOutWhatIsFinerThanAFootprint) {
     rough += std::fabs(set.value(0, point_at(p.x, p.y, p.z)).x - 0.5 - left);
   }
   EXPECT_GT(rough / 1000, 0.02);
+}
+
+TEST(Noise, IsTheSameAtManyPlacesAsAtEach) {
+  Random random(21);
+  constexpr std::size_t kCount = Fractal::kMostTogether;
+  int apart = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Fractal fractal{1 + i % 5, static_cast<std::uint32_t>(i)};
+    Point p[kCount];
+    // Some in one cell, some in many; some nowhere.
+    const double step = i % 3 == 0 ? 0.3 : 0.02;
+    const double far = i % 50 == 0 ? 1e300 : i % 50 == 1 ? std::nan("") : 0;
+    const Point middle{any(random, 9) + far, any(random, 9), any(random, 9)};
+    for (std::size_t k = 0; k < kCount; ++k) {
+      p[k] = middle;
+      if (i % 7 == 0) p[k] = {any(random, 3), any(random, 3), any(random, 3)};
+      (k < 2 ? p[k].x : k < 4 ? p[k].y : p[k].z) += k % 2 == 0 ? step : -step;
+    }
+    apart += std::floor(p[0].x) != std::floor(p[1].x) ? 1 : 0;
+    const double width = i % 4 == 0 ? 0.3 : 0;
+    for (const std::size_t count : {kCount, std::size_t{4}}) {
+      double values[kCount];
+      fractal.at_each(p, count, width, values);
+      for (std::size_t k = 0; k < count; ++k)
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(values[k]),
+                  std::bit_cast<std::uint64_t>(fractal(p[k], width)))
+            << i << " " << k;
+    }
+  }
+  EXPECT_GT(apart, 300);
 }
 
 }  // namespace

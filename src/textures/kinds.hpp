@@ -14,6 +14,9 @@ struct TextureCode {
   void (*prepare)(const Texture& described, PreparedTexture& texture);
   /// What people call it, in English and in Croatian.
   const char* nouns[2];
+  /// May be none: what value() gives at `count` points with the footprint of a place, six at most.
+  void (*values)(const PreparedTexture& texture, const TexturePlace& at, const V3<double>* points,
+                 std::size_t count, TextureValue* values) = nullptr;
 };
 
 namespace texture_kinds {

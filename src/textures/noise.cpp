@@ -14,6 +14,16 @@ TextureValue noise_value(const PreparedTexture& t, const TexturePlace& at) {
   return t.ramp.value(0.5 + 0.5 * height);
 }
 
+void noise_values(const PreparedTexture& t, const TexturePlace& at, const V3<double>* points,
+                  std::size_t count, TextureValue* values) {
+  V3<double> in_grains[Fractal::kMostTogether]{};
+  double heights[Fractal::kMostTogether];
+  for (std::size_t i = 0; i < count; ++i) in_grains[i] = points[i] * (1 / t.size);
+  const Fractal fractal{t.octaves, t.seed};
+  fractal.at_each(in_grains, count, greatest_width(at) / t.size, heights);
+  for (std::size_t i = 0; i < count; ++i) values[i] = t.ramp.value(0.5 + 0.5 * heights[i]);
+}
+
 void prepare_noise(const Texture&, PreparedTexture& texture) {
   texture.ramp = Ramp(Ramp::evenly(texture.colors), false, TextureWrap::clamp);
   const double step = texture.size * finest_grain(texture.octaves) / 32;
@@ -22,6 +32,6 @@ void prepare_noise(const Texture&, PreparedTexture& texture) {
 
 }  // namespace
 
-const TextureCode texture_kinds::noise = {noise_value, prepare_noise, {"noise", "šum"}};
+const TextureCode texture_kinds::noise = {noise_value, prepare_noise, {"noise", "šum"}, noise_values};
 
 }  // namespace zraka

@@ -2,6 +2,7 @@
 // Gradient noise (Perlin, "Improving noise", 2002), with a hash of a seed in place of a table.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "math/vec.hpp"
@@ -17,6 +18,9 @@ struct Fractal {
   int octaves = 1;  ///< 1 to 32
   std::uint32_t seed = 0;
   double operator()(const V3<double>& p, double width) const;
+  /// The same at `count` places near each other, at most kMostTogether.
+  static constexpr std::size_t kMostTogether = 6;
+  void at_each(const V3<double>* p, std::size_t count, double width, double* values) const;
   /// Of absolute values: Perlin's turbulence.
   double turbulence(const V3<double>& p, double width) const;
 };

@@ -103,6 +103,9 @@ struct TextureLookup {
 void find_taps(const PreparedTexture& texture, const TexturePlace& at, ImageTaps& taps);
 TextureValue value_of_taps(const PreparedTexture& texture, const ImageTaps& taps);
 
+/// What is rolled round the y axis (TextureMapping): from a place in the texture's space.
+void roll(const PreparedTexture& texture, TexturePlace& place);
+
 /// The colour at a place in its space.
 TextureValue value_at(const PreparedTexture& texture, const TexturePlace& at);
 

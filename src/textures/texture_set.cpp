@@ -102,7 +102,8 @@ V3<double> repeated(const PreparedTexture& t, double u, double v) {
   return {u * t.repeat_u + t.offset_u, v * t.repeat_v + t.offset_v, 0};
 }
 
-/// What is rolled round the y axis: from a point of the texture's space and the footprint there.
+}  // namespace
+
 void roll(const PreparedTexture& t, TexturePlace& place) {
   constexpr double kPi = 3.14159265358979323846;
   const V3<double> p = place.point;
@@ -126,6 +127,8 @@ void roll(const PreparedTexture& t, TexturePlace& place) {
     axis = finite_axis({along_u * t.repeat_u, along_v * t.repeat_v, 0});
   }
 }
+
+namespace {
 
 void find_place(const PreparedTexture& t, const TexturePoint& at, TexturePlace& place) {
   place.distance = at.distance;
@@ -175,17 +178,41 @@ double length(double a, double b) {
   return std::sqrt(a * a + b * b);
 }
 
+double step_for(double footprint, double least) {
+  return footprint < kHuge ? std::max(footprint, least) : kHuge;
+}
+
 /// The difference of brightness over twice a step, where move(at, ±step) goes that far.
 template <class Move>
-double difference(const PreparedTexture& t, const TexturePoint& at, double step, double least,
+double difference(const PreparedTexture& t, const TexturePoint& at, double footprint, double least,
                   Move move) {
-  step = step < kHuge ? std::max(step, least) : kHuge;
+  const double step = step_for(footprint, least);
   TexturePoint ahead = at, behind = at;
   move(ahead, step);
   move(behind, -step);
   const auto value = code_of(t).value;
   return (brightness(value(t, place_of(t, ahead))) - brightness(value(t, place_of(t, behind)))) /
          (2 * step);
+}
+
+/// The same along x, y and z at once: of a solid texture all places have one footprint.
+V3<double> slope_of_values(const PreparedTexture& t, const TexturePoint& at,
+                           const double (&footprint)[3]) {
+  const double steps[3] = {step_for(footprint[0], t.least_step.x),
+                           step_for(footprint[1], t.least_step.y),
+                           step_for(footprint[2], t.least_step.z)};
+  V3<double> points[6];
+  for (V3<double>& point : points) point = at.point;
+  points[0].x += steps[0], points[1].x -= steps[0];
+  points[2].y += steps[1], points[3].y -= steps[1];
+  points[4].z += steps[2], points[5].z -= steps[2];
+  for (V3<double>& point : points) point = finite_point(t.into.point(point));
+  TextureValue values[6];
+  code_of(t).values(t, place_of(t, at), points, 6, values);
+  const auto along = [&](std::size_t i) {
+    return (brightness(values[2 * i]) - brightness(values[2 * i + 1])) / (2 * steps[i]);
+  };
+  return {along(0), along(1), along(2)};
 }
 
 }  // namespace
@@ -240,11 +267,14 @@ V3<double> TextureSet::slope(std::uint32_t texture, const TexturePoint& at) cons
     return {difference(t, at, u, least.x, [](TexturePoint& p, double step) { p.u += step; }),
             difference(t, at, v, least.y, [](TexturePoint& p, double step) { p.v += step; }), 0};
   }
-  return {difference(t, at, length(a.x, b.x), least.x,
+  const double along[3] = {length(a.x, b.x), length(a.y, b.y), length(a.z, b.z)};
+  if (t.mapping == TextureMapping::solid && code_of(t).values != nullptr)
+    return slope_of_values(t, at, along);
+  return {difference(t, at, along[0], least.x,
                      [](TexturePoint& p, double step) { p.point.x += step; }),
-          difference(t, at, length(a.y, b.y), least.y,
+          difference(t, at, along[1], least.y,
                      [](TexturePoint& p, double step) { p.point.y += step; }),
-          difference(t, at, length(a.z, b.z), least.z,
+          difference(t, at, along[2], least.z,
                      [](TexturePoint& p, double step) { p.point.z += step; })};
 }
 
