@@ -168,11 +168,11 @@ double width_of_cone(const Level<R>& level, const Scratch<R>& scratch, std::size
 V3<double> bent(const TextureSet& set, const NormalUse& use, const Seen& seen,
                 const V3<double>& normal, const V3<double>& view) {
   V3<double> way = normal;
-  const UvGradients slopes(seen.along_u, seen.along_v, normal);
   if (use.kind == NormalUse::Kind::bump) {
     const V3<double> slope = set.slope(use.texture, seen.detail.at);
     V3<double> rise;  // per unit of the engine's frame
     if (set.mapping(use.texture) == TextureMapping::uv) {
+      const UvGradients slopes(seen.along_u, seen.along_v, normal);
       rise = slopes.u * slope.x + slopes.v * slope.y;
     } else {
       const Transform& t = seen.to_shape;

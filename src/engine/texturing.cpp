@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solid textures of many hits: engine/coefficients.cpp and textures/ in lanes of doubles, operation
+// Textures of many hits that lie in space: engine/coefficients.cpp and textures/ in lanes of doubles, operation
 // by operation, so that the bits are the same. CMake compiles this file once for each instruction
 // set, like engine/kernel.cpp.
 #include "engine/texturing.hpp"
@@ -64,7 +64,7 @@ ZRAKA_INLINE F largest_of(const V3<F>& v) {
   return greater_of(abs(v.x), greater_of(abs(v.y), abs(v.z)));
 }
 
-/// TexturePoint and TexturePlace of solid textures.
+/// TexturePoint and TexturePlace of textures in space.
 template <class F>
 struct SolidPlace {
   V3<F> point, axes[2];
@@ -110,16 +110,19 @@ ZRAKA_INLINE V3<F> within_huge(const V3<F>& v, double else_) {
   return {within(v.x), within(v.y), within(v.z)};
 }
 
-/// find_place() of texture_set.cpp.
+/// find_place() of texture_set.cpp; axes and error only where they count.
 template <class F>
 ZRAKA_INLINE SolidPlace<F> place_in_texture(const PreparedTexture& t, const SolidPlace<F>& at) {
   const V3<F> x = in_all_lanes<F>(t.into.x), y = in_all_lanes<F>(t.into.y),
               z = in_all_lanes<F>(t.into.z);
   const auto direction = [&](const V3<F>& d) { return V3<F>{dot(x, d), dot(y, d), dot(z, d)}; };
-  return {within_huge(direction(at.point) + in_all_lanes<F>(t.into.origin), 0),
-          {within_huge(direction(at.axes[0]), kHugeNumber),
-           within_huge(direction(at.axes[1]), kHugeNumber)},
-          at.error * F(t.error_scale)};
+  SolidPlace<F> place;
+  place.point = within_huge(direction(at.point) + in_all_lanes<F>(t.into.origin), 0);
+  if (!t.sees_footprint) return place;
+  place.axes[0] = within_huge(direction(at.axes[0]), kHugeNumber);
+  place.axes[1] = within_huge(direction(at.axes[1]), kHugeNumber);
+  place.error = at.error * F(t.error_scale);
+  return place;
 }
 
 /// x in sizes of a texture. By a power of two a product is rounded as the quotient.
@@ -180,25 +183,62 @@ struct InLanes {
   ZRAKA_INLINE V3<double> operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
-/// Kinds that have no lanes are asked place by place.
+/// TextureLookup of as many hits as a register of doubles holds, for kinds that have no lanes.
 template <class D>
-ZRAKA_INLINE void ask_each(const PreparedTexture& t, const SolidPlace<typename D::F>& at,
-                           InLanes<D>& values) {
-  InLanes<D> point, axes[2];
-  alignas(64) double error[D::kWidth];
-  point.store(at.point);
-  axes[0].store(at.axes[0]);
-  axes[1].store(at.axes[1]);
-  D::store(at.error, error);
-  TexturePlace place;
-  for (std::size_t i = 0; i < D::kWidth; ++i) {
-    place.point = point[i];
-    place.axes[0] = axes[0][i], place.axes[1] = axes[1][i];
-    place.error = error[i];
-    const TextureValue value = value_at(t, place);
-    values.x[i] = value.x, values.y[i] = value.y, values.z[i] = value.z;
+class Lookups {
+ public:
+  using F = typename D::F;
+  /// The next ones, of which nothing is known.
+  ZRAKA_INLINE void start() { placed_ = PreparedTexture::kNone; }
+
+  /// Of the first `count` lanes.
+  ZRAKA_INLINE void find(const PreparedTexture& t, const SolidPlace<F>& in_shape, F distance,
+                         std::size_t count, InLanes<D>& values) {
+    if (placed_ != t.placed_like) {
+      placed_ = t.placed_like, sampled_ = PreparedTexture::kNone;
+      find_places(t, in_shape, distance, count);
+    }
+    const bool by_taps = t.sampled_like != PreparedTexture::kNone;
+    const bool fresh = by_taps && sampled_ != t.sampled_like;
+    if (by_taps) sampled_ = t.sampled_like;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (fresh) find_taps(t, place_[i], taps_[i]);
+      const TextureValue value = by_taps ? value_of_taps(t, taps_[i]) : value_at(t, place_[i]);
+      values.x[i] = value.x, values.y[i] = value.y, values.z[i] = value.z;
+    }
   }
-}
+
+ private:
+  ZRAKA_INLINE void find_places(const PreparedTexture& t, const SolidPlace<F>& in_shape,
+                                F along_rays, std::size_t count) {
+    const SolidPlace<F> at = place_in_texture(t, in_shape);
+    InLanes<D> point, axes[2];
+    alignas(64) double error[D::kWidth], distance[D::kWidth];
+    point.store(at.point);
+    D::store(along_rays, distance);
+    if (t.sees_footprint) {
+      axes[0].store(at.axes[0]);
+      axes[1].store(at.axes[1]);
+      D::store(at.error, error);
+    }
+    const bool rolled = t.mapping != TextureMapping::solid;
+    for (std::size_t i = 0; i < count; ++i) {
+      TexturePlace& place = place_[i];
+      place.point = point[i];
+      place.distance = distance[i];
+      if (t.sees_footprint) {
+        place.axes[0] = axes[0][i], place.axes[1] = axes[1][i];
+        place.error = error[i];
+      }
+      place.away = 1;
+      if (rolled) roll(t, place);
+    }
+  }
+
+  std::uint32_t placed_ = PreparedTexture::kNone, sampled_ = PreparedTexture::kNone;
+  TexturePlace place_[D::kWidth];
+  ImageTaps taps_[D::kWidth];
+};
 
 }  // namespace
 
@@ -209,6 +249,8 @@ void color_hits(const HitsOfMaterial& hits, const Level<typename L::Real>& level
   using D = DoublesOf<L>;
   using F = typename D::F;
   const auto begin = static_cast<std::size_t>(level.done);
+  const V3<F> none{F(0.0), F(0.0), F(0.0)};
+  Lookups<D> lookups;
   for (std::size_t first = 0; first < hits.count; first += L::kWidth) {
     const Indices<L> hit(select(L::first(hits.count - first), L::load(hits.hit + first),
                                 I(hits.hit[first])));
@@ -217,7 +259,7 @@ void color_hits(const HitsOfMaterial& hits, const Level<typename L::Real>& level
     const ThreeOfHits<L> normals{{hit, scratch.nx}, {hit, scratch.ny}, {hit, scratch.nz}};
     const ThreeOfHits<L> views{{hit, scratch.vx}, {hit, scratch.vy}, {hit, scratch.vz}};
     const OfHits<L> before(ray, level.rays.width + begin), spread(ray, level.rays.spread + begin);
-    const OfHits<L> distance(ray, scratch.t);
+    const OfHits<L> travelled(ray, level.rays.travelled + begin), distance(ray, scratch.t);
     for (std::size_t i = 0; i < L::kWidth && first + i < hits.count; i += D::kWidth) {
       const std::int32_t* const numbers = hits.hit + first + i;
       const std::size_t left = hits.count - first - i;
@@ -227,18 +269,23 @@ void color_hits(const HitsOfMaterial& hits, const Level<typename L::Real>& level
       D::store(width, widths);
       for (std::size_t k = 0; k < count; ++k) scratch.details[numbers[k]].width = widths[k];
 
-      const SolidPlace<F> at = place_in_shape(*hits.to_shape, points(i), normals(i), views(i), width);
+      SolidPlace<F> at;
+      if (hits.its->sees_footprint)
+        at = place_in_shape(*hits.to_shape, points(i), normals(i), views(i), width);
+      else
+        at = {moved_by(*hits.to_shape, points(i)), {none, none}, F(0.0)};
+      lookups.start();
       for (std::int32_t use = 0; use < hits.its->use_count; ++use) {
         const TextureUse& its = hits.its->uses[use];
         const PreparedTexture& t = hits.textures[its.texture];
-        const SolidPlace<F> place = place_in_texture(t, at);
-        InLanes<D> values;
-        if (t.kind == TextureKind::checker)
-          values.store(checker_at(t, place));
+        InLanes<D> values{};
+        if (t.kind == TextureKind::checker && t.mapping == TextureMapping::solid)
+          values.store(checker_at(t, place_in_texture(t, at)));
         else
-          ask_each<D>(t, place, values);
+          lookups.find(t, at, (travelled(i) + distance(i)) / F(hits.frame_scale), count, values);
         for (std::size_t k = 0; k < count; ++k)
-          put(its.coefficient, values[k], scratch.own_rows + static_cast<std::ptrdiff_t>(numbers[k]) * kMaterialReals);
+          put(its.coefficient, values[k],
+              scratch.own_rows + static_cast<std::ptrdiff_t>(numbers[k]) * kMaterialReals);
       }
     }
   }

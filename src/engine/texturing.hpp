@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solid textures of many hits at a time, in lanes of doubles: what coefficients.cpp does hit by hit,
-// to the same bits (engine/texturing.cpp).
+// Textures of many hits at a time that lie in space, in lanes of doubles: what coefficients.cpp does
+// hit by hit, to the same bits (engine/texturing.cpp).
 #pragma once
 
 #include "engine/engine.hpp"
@@ -16,6 +16,7 @@ struct HitsOfMaterial {
   const MaterialTextures* its;
   const PreparedTexture* textures;  ///< of the scene
   const Transform* to_shape;  ///< from the engine's frame
+  double frame_scale;
 };
 
 /// Puts what a texture gives into a row of coefficients.

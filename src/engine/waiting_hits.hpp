@@ -99,7 +99,7 @@ class WaitingHits {
     const FrozenTextures& textures = *scene_.textures;
     const std::int32_t* const hit = group.hit;
     color_hits_({hit, group.count, &textures.of_material[group.material], textures.set->all(),
-                 &ways_.to_shape(group.transform)},
+                 &ways_.to_shape(group.transform), scene_.frame_scale},
                 level_, scratch_);
     group.count = 0;
   }

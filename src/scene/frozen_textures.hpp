@@ -18,7 +18,7 @@ struct MaterialTextures {
   bool sees_footprint;  ///< some texture is a mean over what a pixel sees
   bool has_borders;     ///< roundings decide which side of a border of some texture counts
   bool of_children;     ///< some texture says what is reflected or goes through
-  bool in_lanes;        ///< all are solid, and normals are what they are (engine/texturing.hpp)
+  bool in_lanes;        ///< none is laid over the surface, and none bends normals (engine/texturing.hpp)
   bool any() const { return use_count > 0 || normals.kind != NormalUse::Kind::none; }
 };
 

@@ -35,8 +35,7 @@ class TextureSet {
 
   /// Whether it can be asked for many hits at a time (engine/texturing.hpp).
   bool in_lanes(std::uint32_t texture) const {
-    const PreparedTexture& t = textures_[texture];
-    return t.mapping == TextureMapping::solid && t.kind != TextureKind::image;
+    return textures_[texture].mapping != TextureMapping::uv;
   }
 
   /// Whether what it gives depends on the footprint.
