@@ -19,17 +19,21 @@ namespace zraka::ZRAKA_ISA {
 template <class R>
 void make_hemisphere(const Sobol2& points, std::uint32_t first, std::size_t count,
                      const V3<R>& normal, std::size_t at, Scratch<R>& scratch) {
-  constexpr std::size_t kChunk = 16;
+  constexpr std::size_t kChunk = 64;
   constexpr R kQuarter = R(0.78539816339744830962);  // π/4
   constexpr R kUnit = R(0x1p-23), kHalf = R(0x1p-24);
   V3<R> a, b;
   basis_of(normal, a, b);
   for (std::size_t done = 0; done < count; done += kChunk) {
-    std::uint32_t u[kChunk], v[kChunk];
-    for (std::uint32_t i = 0; i < kChunk; ++i)
-      points.find_bits(first + static_cast<std::uint32_t>(done) + i, u[i], v[i]);
+    const std::size_t n = std::min(kChunk, count - done), whole = (n + 15) / 16 * 16;
+    // One step of many points after the other: each waits long for what is before it.
+    std::uint32_t places[kChunk], u[kChunk], v[kChunk];
+    for (std::uint32_t i = 0; i < whole; ++i)
+      places[i] = points.order(first + static_cast<std::uint32_t>(done) + i);
+    for (std::uint32_t i = 0; i < whole; ++i) u[i] = points.first_bits(places[i]);
+    for (std::uint32_t i = 0; i < whole; ++i) v[i] = points.second_bits(places[i]);
     R x[kChunk], y[kChunk], z[kChunk];
-    for (std::size_t i = 0; i < kChunk; ++i) {
+    for (std::size_t i = 0; i < whole; ++i) {
       // From -1 to 1, the middles of 2^24 intervals: never 0.
       const R s = static_cast<R>(static_cast<std::int32_t>(u[i] >> 8)) * kUnit + (kHalf - 1);
       const R t = static_cast<R>(static_cast<std::int32_t>(v[i] >> 8)) * kUnit + (kHalf - 1);
@@ -46,7 +50,6 @@ void make_hemisphere(const Sobol2& points, std::uint32_t first, std::size_t coun
       const R scale = 1 / std::sqrt(dot(way, way));
       x[i] = way.x * scale, y[i] = way.y * scale, z[i] = way.z * scale;
     }
-    const std::size_t n = std::min(kChunk, count - done);
     std::copy_n(x, n, scratch.sdx + at + done);
     std::copy_n(y, n, scratch.sdy + at + done);
     std::copy_n(z, n, scratch.sdz + at + done);

@@ -69,9 +69,19 @@ struct Sobol2 {
   /// The same, in 2^-32.
   ZRAKA_INLINE constexpr void find_bits(std::uint32_t index, std::uint32_t& u,
                                         std::uint32_t& v) const {
-    const std::uint32_t at = reverse_bits(scramble_reversed(reverse_bits(index), shuffle));
-    u = reverse_bits(scramble_reversed(at, scramble_u));
-    v = reverse_bits(scramble_reversed(second_sobol_reversed(at), scramble_v));
+    const std::uint32_t at = order(index);
+    u = first_bits(at), v = second_bits(at);
+  }
+
+  /// The steps of this: where in the sequence, and from there each coordinate.
+  ZRAKA_INLINE constexpr std::uint32_t order(std::uint32_t index) const {
+    return reverse_bits(scramble_reversed(reverse_bits(index), shuffle));
+  }
+  ZRAKA_INLINE constexpr std::uint32_t first_bits(std::uint32_t at) const {
+    return reverse_bits(scramble_reversed(at, scramble_u));
+  }
+  ZRAKA_INLINE constexpr std::uint32_t second_bits(std::uint32_t at) const {
+    return reverse_bits(scramble_reversed(second_sobol_reversed(at), scramble_v));
   }
 };
 
