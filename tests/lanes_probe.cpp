@@ -7,6 +7,7 @@
 #include <random>
 #include <utility>
 
+#include "accel/point_rays.hpp"
 #include "accel/traverse.hpp"
 #include "engine/hits.hpp"
 #include "math/elementary_power.hpp"
@@ -266,6 +267,18 @@ void trace(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
   }
 }
 
+std::uint64_t from_point(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
+                         const ProbeRay* rays, std::size_t count) {
+  using R = L::Real;
+  R d[3][PointRays<L>::kMost + 16] = {};
+  for (std::size_t i = 0; i < count; ++i)
+    for (int k = 0; k < 3; ++k) d[k][i] = static_cast<R>(rays[i].direction[k]);
+  const V3<R> origin{static_cast<R>(rays->origin[0]), static_cast<R>(rays->origin[1]),
+                     static_cast<R>(rays->origin[2])};
+  const PointRays<L> all(origin, static_cast<R>(rays->limit), d[0], d[1], d[2], count);
+  return blocked_from_point<L>(*own(floats, doubles, R()), all);
+}
+
 void surfaces(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
               const ProbeRay* rays, ProbeSurface* out, std::size_t count) {
   const FrozenScene<L::Real>& scene = *own(floats, doubles, L::Real());
@@ -308,7 +321,7 @@ void surfaces(const FrozenScene<float>* floats, const FrozenScene<double>* doubl
 LanesProbe probe();
 LanesProbe probe() {
   return {{},          L::kWidth,   power_of,   double_power_of, sphere,  wrong_blocks,
-          gather_four, wrong_pairs, stack_fits, trace,           surfaces};
+          gather_four, wrong_pairs, stack_fits, trace, from_point, surfaces};
 }
 
 }  // namespace zraka::ZRAKA_ISA

@@ -53,6 +53,10 @@ struct LanesProbe {
   /// for the oracle.
   void (*trace)(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
                 const ProbeRay* rays, ProbeHit* hits, std::size_t count);
+  /// Which of up to 64 rays, all from where the first one begins and as far as it looks, are
+  /// blocked, in a scene of a hierarchy of spheres.
+  std::uint64_t (*from_point)(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
+                              const ProbeRay* rays, std::size_t count);
   /// The same rays' surfaces.
   void (*surfaces)(const FrozenScene<float>* floats, const FrozenScene<double>* doubles,
                    const ProbeRay* rays, ProbeSurface* surfaces, std::size_t count);

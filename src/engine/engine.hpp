@@ -229,6 +229,10 @@ struct Services {
   void (*find_blocked)(const FrozenScene<R>& scene, std::size_t n, Scratch<R>& scratch);
   /// The same of rays that go the same way as those in front of them.
   void (*find_blocked_as_listed)(const FrozenScene<R>& scene, std::size_t n, Scratch<R>& scratch);
+  /// The same for rays of which many begin at each hit, one hit's after the other's, and which all
+  /// look equally far.
+  void (*find_blocked_from_points)(const FrozenScene<R>& scene, std::size_t n,
+                                   Scratch<R>& scratch);
   /// So many rays over the hemisphere around a normal, by the cosine: points of a sequence from
   /// `first` on. To the directions of shadow rays from number `at` on.
   void (*make_hemisphere)(const Sobol2& points, std::uint32_t first, std::size_t count,

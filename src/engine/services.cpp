@@ -5,8 +5,8 @@
 #include "engine/hemisphere.hpp"
 #include "engine/hits.hpp"
 #include "engine/light_samples.hpp"
+#include "engine/point_shadows.hpp"
 #include "engine/shading.hpp"
-#include "engine/shadow_order.hpp"
 #include "engine/window_rays.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -36,6 +36,7 @@ extern const HitServices<Lanes::Real> kHitServices;
 extern const Services<Lanes::Real> kServices;
 const Services<Lanes::Real> kServices = {find_hits, find_blocked_in_order<Lanes>,
                                          find_blocked_as_listed<Lanes>,
+                                         find_blocked_from_points<Lanes>,
                                          make_hemisphere<Lanes::Real>,
                                          find_arriving<Lanes>,
                                          sample_light<Lanes>,

@@ -96,6 +96,16 @@ ZRAKA_INLINE float select(bool m, float a, float b) {
 ZRAKA_INLINE std::int32_t select(bool m, std::int32_t a, std::int32_t b) {
   return m ? a : b;
 }
+/// Sets bits that were not set, where m holds.
+ZRAKA_INLINE std::int32_t set_bits(bool m, std::int32_t bits, std::int32_t to) {
+  return m ? to | bits : to;
+}
+/// Keys that have the order of numbers that are not below 0, and of equal ones that of lanes, of
+/// which `first` is the first one's number: below 16.
+ZRAKA_INLINE std::int32_t keys_of(double v, std::size_t first) {
+  const auto bits = __builtin_bit_cast(std::int32_t, static_cast<float>(v));
+  return (bits & ~15) | static_cast<std::int32_t>(first);
+}
 ZRAKA_INLINE double sqrt(double a) {
   return __builtin_sqrt(a);
 }
@@ -109,6 +119,9 @@ ZRAKA_INLINE double max(double a, double b) {
 /// instruction sets.
 ZRAKA_INLINE double roughly_mul_sub(double a, double b, double c) {
   return a * b - c;
+}
+ZRAKA_INLINE double roughly_mul_add(double a, double b, double c) {
+  return a * b + c;
 }
 ZRAKA_INLINE double copy_sign(double magnitude, double sign) {
   return __builtin_copysign(magnitude, sign);

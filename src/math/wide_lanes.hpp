@@ -167,6 +167,21 @@ ZRAKA_INLINE FloatLanes select(MaskLanes m, FloatLanes a, FloatLanes b) {
 ZRAKA_INLINE IndexLanes select(MaskLanes m, IndexLanes a, IndexLanes b) {
   return hn::IfThenElse(hn::RebindMask(wide::di, m.v), a.v, b.v);
 }
+/// Sets bits that were not set, where m holds.
+ZRAKA_INLINE IndexLanes set_bits(MaskLanes m, IndexLanes bits, IndexLanes to) {
+  const auto where = hn::RebindMask(wide::di, m.v);
+#if HWY_TARGET <= HWY_AVX3
+  return hn::IfThenElse(where, hn::Or(to.v, bits.v), to.v);
+#else  // a choice takes three instructions
+  return hn::Or(to.v, hn::IfThenElseZero(where, bits.v));
+#endif
+}
+/// Keys that have the order of numbers that are not below 0, and of equal ones that of lanes, of
+/// which `first` is the first one's number: below 16.
+ZRAKA_INLINE IndexLanes keys_of(FloatLanes v, std::size_t first) {
+  return hn::Or(hn::AndNot(hn::Set(wide::di, 15), hn::BitCast(wide::di, v.v)),
+                hn::Iota(wide::di, static_cast<std::int32_t>(first)));
+}
 ZRAKA_INLINE FloatLanes sqrt(FloatLanes a) {
   return hn::Sqrt(a.v);
 }
@@ -190,6 +205,10 @@ ZRAKA_INLINE FloatLanes max(FloatLanes a, FloatLanes b) {
 /// instruction sets.
 ZRAKA_INLINE FloatLanes roughly_mul_sub(FloatLanes a, FloatLanes b, FloatLanes c) {
   return hn::MulSub(a.v, b.v, c.v);
+}
+/// a·b + c, likewise.
+ZRAKA_INLINE FloatLanes roughly_mul_add(FloatLanes a, FloatLanes b, FloatLanes c) {
+  return hn::MulAdd(a.v, b.v, c.v);
 }
 ZRAKA_INLINE FloatLanes copy_sign(FloatLanes magnitude, FloatLanes sign) {
   return hn::CopySign(magnitude.v, sign.v);

@@ -22,10 +22,13 @@ void settle(const Batch<R>& batch) {
     }
   } else {
     batch.counts.shadow += general.waiting;
-    batch.services.find_blocked(*deciding, general.waiting, batch.scratch);
-    for (std::size_t i = 0; i < general.waiting; ++i) {
-      V3<R>& sum = general.occlusion[static_cast<std::size_t>(scratch.shadow_ray_hit[i])];
-      sum.x += static_cast<R>(1 - scratch.blocked[i]);
+    batch.services.find_blocked_from_points(*deciding, general.waiting, batch.scratch);
+    for (std::size_t i = 0; i < general.waiting;) {
+      const std::int32_t hit = scratch.shadow_ray_hit[i];
+      std::int32_t free = 0;
+      for (; i < general.waiting && scratch.shadow_ray_hit[i] == hit; ++i)
+        free += 1 - scratch.blocked[i];
+      general.occlusion[static_cast<std::size_t>(hit)].x += static_cast<R>(free);
     }
   }
   general.waiting = 0;
