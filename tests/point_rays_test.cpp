@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "probed_scenes.hpp"
@@ -112,11 +113,12 @@ TEST(PointRays, GoThroughShapesThatThrowNoShadows) {
 TEST(PointRays, OfNoNumbersAreFree) {
   const Scene scene = spheres(1000, 0.05);
   const Frozen frozen(scene);
-  std::vector<ProbeRay> rays(2, ProbeRay{{0, 0, 0}, {1, 0, 0}, 1e20});
+  std::vector<ProbeRay> rays(3, ProbeRay{{0, 0, 0}, {1, 0, 0}, 1e20});
   rays[1].direction[1] = std::nan("");
+  rays[2].direction[0] = std::numeric_limits<double>::infinity();
   for (const LanesProbe& probe : lanes_probes()) {
     if (probe.isa == Isa::oracle) continue;
-    EXPECT_EQ(probe.from_point(&frozen.floats->scene, nullptr, rays.data(), 2) & 2, 0u);
+    EXPECT_EQ(probe.from_point(&frozen.floats->scene, nullptr, rays.data(), 3) & 6, 0u);
   }
 }
 

@@ -27,16 +27,20 @@ struct FilmRun {
 /// What a pixel keeps of its samples, which come in the order of their numbers.
 class FilmPixel {
  public:
-  void add(const FilmSample& sample) {
+  void add(const FilmSample& sample) { add(sample, 1); }
+
+  /// So many equal samples, to a pixel that has no others: of one float's multiples, doubles round
+  /// none up to 2^29.
+  void add(const FilmSample& sample, std::uint32_t times) {
     double* const sums = sample.negative ? negative_ : positive_;
     for (int c = 0; c < 3; ++c) {
-      sums[c] += static_cast<double>(sample.color[c]);
+      sums[c] += static_cast<double>(sample.color[c]) * times;
       const float shown = std::clamp(sample.color[c], 0.0f, 1.0f);
       least_[c] = std::min(least_[c], shown);
       most_[c] = std::max(most_[c], shown);
     }
-    ++(sample.negative ? negative_count_ : positive_count_);
-    if (sample.hits) ++(sample.negative ? negative_hits_ : positive_hits_);
+    (sample.negative ? negative_count_ : positive_count_) += times;
+    if (sample.hits) (sample.negative ? negative_hits_ : positive_hits_) += times;
   }
 
   /// Samples that all count above 0, and of which it matters neither how far they differ nor what

@@ -142,8 +142,9 @@ class SampledPicture {
         tracer.add(x, y, pixel.count(), target, pixel);
         return;
       }
-      for (std::uint32_t n = pixel.count(); n < target; ++n)
-        pixel.add(empty), ++tracer.counts.camera;
+      const std::uint32_t more = target - std::min(pixel.count(), target);
+      if (more > 0) pixel.add(empty, more);
+      tracer.counts.camera += more;
     });
     tracer.flush();
     return tracer.counts.total() - before;
