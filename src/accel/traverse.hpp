@@ -61,6 +61,14 @@ void nearest_in_hierarchy(const FrozenScene<R>& scene, RayGroup<L>& rays) {
   nearest.give(rays);
 }
 
+/// A body that has blocked none of a group is not asked first by the next: it takes long, and where
+/// the shadow has ended it is asked for nothing.
+template <class R>
+ZRAKA_INLINE void forget_body(const BundleEntry<R>& entry, LastBlocker& last) {
+  if (leaf_kind(entry.leaf) == kKindOfBody && entry.leaf == last.leaf && entry.child == last.child)
+    last = {};
+}
+
 /// Which of the active rays hit anything nearer than their t, a bit each. Their t is lost.
 template <class L, class R = typename L::Real>
 std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& last,
@@ -94,6 +102,7 @@ std::uint32_t blocked_in_hierarchy(const FrozenScene<R>& scene, LastBlocker& las
       kinds = pairs.add_leaf(asking, entry.child, entry.leaf);
     else
       blocked = blocked_in_leaf<L>(scene, bundle, entry, asking, rays, t, last);
+    if (blocked == 0 && entry.leaf != 0) forget_body(entry, last);
     if (kinds != 0) blocked = blocked_by_pairs<L>(scene, bundle, t, pairs, kinds, false, last);
     blocked &= left;
     if (blocked == 0) continue;
