@@ -82,8 +82,8 @@ struct NumbersAfter {
   const double* of(std::size_t lane) const { return row.of(lane) + kBodyNumbers; }
 };
 
-/// Which crossings are asked for: all, or the first in front of the origin, or any that is nearer
-/// than the limit, too.
+/// Which crossings are asked for: all (of which those before `from` and beyond the limit may be
+/// anywhere there), or the first in front of the origin, or any that is nearer than the limit, too.
 enum class Wanted { all, first, any };
 
 /// Crossings of a body of this type, whose numbers are `row`, as distances along the rays; what is
@@ -93,7 +93,8 @@ enum class Wanted { all, first, any };
 template <class Shape, class D, class Row>
 __attribute__((noinline)) void crossings(const Row& row, const V3<typename D::F>& origin,
                                          const V3<typename D::F>& direction, Wanted wanted,
-                                         typename D::F limit, typename D::F* at) {
+                                         typename D::F limit, typename D::F* at,
+                                         typename D::F from = typename D::F(-kNever)) {
   using F = typename D::F;
   constexpr int kMost = BodyLanes<Shape, D>::kMost;
   BodyView<F> view = view_of(row, origin, direction, wanted != Wanted::all);
@@ -102,6 +103,8 @@ __attribute__((noinline)) void crossings(const Row& row, const V3<typename D::F>
     view.ray.end = length - view.before;
     view.ray.about = length * F(0x1p-20);
     view.ray.any = wanted == Wanted::any;
+    const F before = from / view.unit;
+    view.ray.from = before - abs(before) * F(0x1p-20) - view.before;
   }
   F found[kMost];
   BodyLanes<Shape, D>::cross(NumbersAfter<Row>{row}, view.ray, found);

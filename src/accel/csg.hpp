@@ -9,19 +9,26 @@
 
 #include "accel/body_rays.hpp"
 #include "shapes/bodies/csg.hpp"
+#include "shapes/bodies/slab.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
 template <class D>
 using CrossFunction = void (*)(const double* row, const V3<typename D::F>& origin,
-                               const V3<typename D::F>& direction, typename D::F* at);
+                               const V3<typename D::F>& direction,
+                               const Span<typename D::F>& between, typename D::F* at);
 
-/// Crossings of one body for all lanes.
+/// Crossings of one body for all lanes, of which those in a span count.
 template <class Shape, class D>
 void cross_shared(const double* row, const V3<typename D::F>& origin,
-                  const V3<typename D::F>& direction, typename D::F* at) {
-  crossings<Shape, D>(SharedNumbers<D>{row}, origin, direction, Wanted::all, typename D::F(kNever),
-                      at);
+                  const V3<typename D::F>& direction, const Span<typename D::F>& between,
+                  typename D::F* at) {
+  using F = typename D::F;
+  if constexpr (requires { BodyLanes<Shape, D>::kAsksForEnd; })
+    crossings<Shape, D>(SharedNumbers<D>{row}, origin, direction, Wanted::all, between.out, at,
+                        between.in);
+  else
+    crossings<Shape, D>(SharedNumbers<D>{row}, origin, direction, Wanted::all, F(kNever), at);
 }
 
 /// What members of this type have; nothing where they cannot be members.
@@ -64,20 +71,30 @@ class CsgWay {
          M asked, F limit, bool whole_alone)
       : csg_{bodies.numbers + bodies.start[body]}, asked_(asked), limit_(limit) {
     const bool by_table = csg_.has_table();
+    const int members = csg_.members();
+    Span<F> counts;
+    if (whole_alone) counts = {F(0.0), limit};
     int used = 0;
-    for (int i = 0; i < csg_.members(); ++i) {
-      first_[i] = used;
-      if (misses_) continue;
+    for (int i = 0; i < members; ++i) {
       const std::int32_t member = csg_.member(i);
-      kCrossingFunctions<D>[bodies.type[member]](bodies.numbers + bodies.start[member], origin,
-                                                 direction, at_ + used);
-      used += kMostCrossings[bodies.type[member]];
-      for (int k = first_[i]; by_table && k < used; k += 2) bit_[k / 2] = std::uint64_t{1} << i;
-      if (whole_alone && by_table && csg_needs(csg_.table(), i))
-        misses_ = !any(both(asked, has_part_ahead(first_[i], used)));
+      const std::uint8_t type = bodies.type[member];
+      kCrossingFunctions<D>[type](bodies.numbers + bodies.start[member], origin, direction, counts,
+                                  at_ + used);
+      first_[i] = used;
+      used += kMostCrossings[type];
+      if (!by_table) continue;
+      put_bit(i, used);
+      if (!whole_alone || !csg_needs(csg_.table(), i)) continue;
+      keep_within(first_[i], used);
+      counts = {begin_, min(end_, limit)};
+      misses_ = !any(both(asked, begin_ < counts.out));
+      if (misses_) return;
     }
-    first_[csg_.members()] = used;
+    first_[members] = used;
   }
+
+  /// All of the rays, the whole: then there is nothing else to ask for.
+  bool misses() const { return misses_; }
 
   /// Whether what is behind distance t is inside.
   M inside(F t) const {
@@ -97,7 +114,6 @@ class CsgWay {
 
   /// The first crossing with the whole's surface in front of the origin, before the limit.
   F first_hit() const {
-    if (misses_) return F(kNever);
     if (!csg_.has_table()) {
       const auto is_inside = [&](F t) { return inside(t); };
       return first_change(crossing_count(), is_inside(F(0.0)), is_inside);
@@ -141,29 +157,39 @@ class CsgWay {
   }
 
   /// The first crossing before the limit behind which `value` is not what it began with.
-  template <class Count, class Value>
-  ZRAKA_INLINE F first_change(Count count, M began, const Value& value) const {
+  template <class Value>
+  ZRAKA_INLINE F first_change(int count, M began, const Value& value) const {
     F t(0.0), found(kNever);
     for (M going = asked_;;) {
       t = next_of(count, t);
       going = both(going, t < limit_);
       if (!any(going)) return found;
-      const M now = value(t);
-      const M changed = both(going, either(but_not(now, began), but_not(began, now)));
+      const M changed = both(going, differ(value(t), began));
       found = select(changed, t, found);
       going = but_not(going, changed);
-      if (!any(going)) return found;
     }
   }
+  /// The same by the table. Before `begin_` is nothing: who is inside there has just come in.
   template <class Count>
   ZRAKA_INLINE F first_change_by_table(Count count) const {
     const std::uint64_t table = csg_.table();
-    typename D::B members = members_at(count, F(0.0));
-    return first_change(count, D::has_bit(table, members), [&](F t) {
+    F t = begin_;
+    typename D::B members = members_at(count, t);
+    const M began = D::has_bit(table, members);
+    M going = both(asked_, both(t < limit_, t < end_));
+    M changed = both(going, both(began, t > F(0.0)));
+    F found = select(changed, t, F(kNever));
+    for (;;) {
+      going = but_not(going, changed);
+      if (!any(going)) return found;
+      t = next_of(count, t);
+      going = both(going, both(t < limit_, t <= end_));
       members = D::flip(members, crossed_at(count, t));
-      return D::has_bit(table, members);
-    });
+      changed = both(going, differ(D::has_bit(table, members), began));
+      found = select(changed, t, found);
+    }
   }
+  static ZRAKA_INLINE M differ(M a, M b) { return either(but_not(a, b), but_not(b, a)); }
 
   /// The members that hold what is behind t, a bit each.
   template <class Count>
@@ -181,19 +207,29 @@ class CsgWay {
       crossed = D::flip(crossed, D::bits_if(at_[k] == t, bit_[k / 2]));
     return crossed;
   }
-  /// Whether any part of a member, whose crossings these are, is in front of the origin and before
-  /// the limit.
-  M has_part_ahead(int begin, int end) const {
-    M ahead = F(0.0) > F(0.0);
-    for (int k = begin; k < end; k += 2)
-      ahead = either(ahead, both(at_[k] < limit_, at_[k + 1] > F(0.0)));
-    return ahead;
+  /// Member i's bit, for its pairs up to a crossing.
+  ZRAKA_INLINE void put_bit(int i, int end) {
+    const std::uint64_t bit = std::uint64_t{1} << i;
+    bit_[first_[i] / 2] = bit;
+    for (int k = first_[i] + 2; k < end; k += 2) bit_[k / 2] = bit;
+  }
+  /// The whole is nowhere but where a member is that it needs, whose crossings these are.
+  ZRAKA_INLINE void keep_within(int begin, int end) {
+    F in(kNever), out(-kNever);
+    for (int k = begin; k < end; k += 2) {
+      const auto ahead = at_[k + 1] > F(0.0);
+      in = select(ahead, min(at_[k], in), in);
+      out = select(ahead, at_[k + 1], out);
+    }
+    begin_ = max(in, begin_);
+    end_ = min(out, end_);
   }
 
   CsgNumbers csg_;
   M asked_;
   F limit_;
-  bool misses_ = false;  ///< all of the rays, the whole
+  F begin_{0.0}, end_{kNever};  ///< in front of the origin the whole is nowhere else
+  bool misses_ = false;
   int first_[kMostCsgCrossings + 1];
   F at_[kMostCsgCrossings];
   std::uint64_t bit_[kMostCsgCrossings / 2];  ///< a pair's member, where there is a table

@@ -54,7 +54,7 @@ void hit_csgs(const FrozenShapes<typename L::Real, Body>& bodies, BodyQuery<L>& 
       // What is found in float is compared with the limit later: here it is only roughly known.
       const F limit = D::load_reals(query.limit + c) * F(1.0 + 0x1p-20);
       const CsgWay<D> way(bodies, body, origin, direction, D::from_bits(mine), limit, true);
-      answer<L>(query, c, mine, way.first_hit());
+      if (!way.misses()) answer<L>(query, c, mine, way.first_hit());
       asked &= ~mine;
     }
   });

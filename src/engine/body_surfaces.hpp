@@ -280,6 +280,7 @@ void surfaces_of_csg(const FrozenShapes<typename L::Real, Body>& bodies, std::in
     const V3<F> origin = load_doubles<L>(query.origin, c);
     const V3<F> direction = load_doubles<L>(query.direction, c);
     const CsgWay<D> way(bodies, body, origin, direction, D::from_bits(asked), F(kNever), true);
+    if (way.misses()) return;
     const F t = way.first_hit();
     V3<F> normal{F(0.0), F(1.0), F(0.0)};
     F unit(1.0);

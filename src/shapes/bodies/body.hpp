@@ -68,6 +68,9 @@ struct BodyRay {
   /// counts after it, and with `any` one between begin and end is as good as another.
   F end{kNever}, about{0.0};
   bool any = false;
+  /// Where all crossings are asked for: those before it may be anywhere as long as they stay there,
+  /// and those after the end, too.
+  F from{-kNever};
 };
 
 /// Specialised by each body, over double lanes D, with

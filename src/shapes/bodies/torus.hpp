@@ -112,8 +112,8 @@ struct TorusRay {
   /// From t to the zero next to it: a step of Newton's, with what the slope changes on the way.
   struct Step {
     F t;
-    decltype(F() < F()) near;   ///< it is not far
-    decltype(F() < F()) sure;   ///< this is the zero, to some 2^-52
+    decltype(F() < F()) near;  ///< it is not far
+    decltype(F() < F()) sure;  ///< this is the zero, to some 2^-52
     decltype(F() < F()) falls;
   };
   ZRAKA_INLINE Step step(F t) const {
@@ -127,8 +127,8 @@ struct TorusRay {
     const F bend = (F(1.0) - second) * (around * steep) * way, square = bend * bend;
     // What a parabola leaves, and what the third derivative does.
     const F error = abs(way) * (square + square + abs(first * second * steep) * (way * way));
-    return {t - way * (F(1.0) + bend), abs(way) <= F(0x1p-8), both(error <= F(0x1p-54), square <= F(0x1p-6)),
-            half_slope < F(0.0)};
+    return {t - way * (F(1.0) + bend), abs(way) <= F(0x1p-8),
+            both(error <= F(0x1p-54), square <= F(0x1p-6)), half_slope < F(0.0)};
   }
   /// How far from a least place of the polynomial its zeros would be if it were a parabola.
   ZRAKA_INLINE F reach_of(F t, const Place& there) const {
@@ -192,9 +192,11 @@ struct BodyLanes<Torus, D> {
       parts[k] = part_between(before, next, near);
       before = next;
     }
-    for (int k = 3; k >= 0; --k)
-      if (any(parts[k].crossed))
-        put_first(parts[k].crossed, parts[k].zero(torus, parts[k].crossed), at);
+    for (int k = 3; k >= 0; --k) {
+      if (!any(parts[k].crossed)) continue;
+      const auto wanted = both(parts[k].b >= ray.from, parts[k].a <= ray.end + ray.about);
+      put_first(parts[k].crossed, parts[k].zero(torus, both(parts[k].crossed, wanted)), at);
+    }
   }
 
   template <class Numbers>
@@ -226,8 +228,23 @@ struct BodyLanes<Torus, D> {
     ZRAKA_INLINE F zero(const TorusRay<F>& torus, M wanted) const {
       const F reach = torus.reach_of(from.t, {from.value, from.around});
       const F guess = select(falls, from.t - reach, from.t + reach);
-      return zero_in(
-          Bracket<F, M>{a, b, falls}, wanted, [&](F t) { return torus.at(t); }, guess);
+      F t = select(both(guess > a, guess < b), guess, a + (b - a) * F(0.5));
+      const M left = come_near(torus, wanted, t);
+      if (!any(left)) return t;
+      const auto function = [&](F x) { return torus.at(x); };
+      return select(left, zero_in(Bracket<F, M>{a, b, falls}, left, function, t), t);
+    }
+    /// Lanes of t come to the zero by the torus' own steps; returns those that do not.
+    ZRAKA_INLINE M come_near(const TorusRay<F>& torus, M left, F& t) const {
+      constexpr int kMostSteps = 4;
+      for (int k = 0; k < kMostSteps && any(left); ++k) {
+        const auto step = torus.step(t);
+        const auto going = both(left, both(step.t >= a, step.t <= b));
+        t = select(going, step.t, t);
+        const auto turned = either(but_not(falls, step.falls), but_not(step.falls, falls));
+        left = but_not(left, but_not(both(going, step.sure), turned));
+      }
+      return left;
     }
   };
   static ZRAKA_INLINE Part part_between(const Turn& a, const Turn& b, M wanted) {
