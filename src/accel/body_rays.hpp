@@ -86,6 +86,24 @@ struct NumbersAfter {
 /// anywhere there), or the first in front of the origin, or any that is nearer than the limit, too.
 enum class Wanted { all, first, any };
 
+/// Crossings of sharp boxes. Between pairs of planes nothing is lost wherever a ray begins: so they
+/// do without the place that is nearest the middle, and without roots.
+template <class D, class Row>
+ZRAKA_INLINE void cross_cube(const Row& row, const V3<typename D::F>& origin,
+                             const V3<typename D::F>& direction, typename D::F* at) {
+  using F = typename D::F;
+  const V3<F> o{origin.x - row(kBodyCenter), origin.y - row(kBodyCenter + 1),
+                origin.z - row(kBodyCenter + 2)};
+  const V3<F> own = into_body(row, o), way = into_body(row, direction);
+  Span<F> span;
+  clip(span, own.x, way.x, F(1.0));
+  clip(span, own.y, way.y, F(1.0));
+  clip(span, own.z, way.z, F(1.0));
+  const auto hit = span.in <= span.out;
+  at[0] = select(hit, span.in, F(kNever));
+  at[1] = select(hit, span.out, F(kNever));
+}
+
 /// Crossings of a body of this type, whose numbers are `row`, as distances along the rays; what is
 /// not wanted may be missing, as BodyRay has it. A function of its own, for it is long: hits,
 /// surfaces and CSG share it. It hands on no view of the rays: what is to be returned is kept in
@@ -97,6 +115,10 @@ __attribute__((noinline)) void crossings(const Row& row, const V3<typename D::F>
                                          typename D::F from = typename D::F(-kNever)) {
   using F = typename D::F;
   constexpr int kMost = BodyLanes<Shape, D>::kMost;
+  if constexpr (std::is_same_v<Shape, Box>) {
+    const auto sharp = row(kBodyNumbers) == F(0.0);
+    if (all(sharp)) return cross_cube<D>(row, origin, direction, at);
+  }
   BodyView<F> view = view_of(row, origin, direction, wanted != Wanted::all);
   if constexpr (requires { BodyLanes<Shape, D>::kAsksForEnd; }) {
     const F length = limit / view.unit;
@@ -109,6 +131,13 @@ __attribute__((noinline)) void crossings(const Row& row, const V3<typename D::F>
   F found[kMost];
   BodyLanes<Shape, D>::cross(NumbersAfter<Row>{row}, view.ray, found);
   for (int k = 0; k < kMost; ++k) at[k] = view.distance(found[k]);
+  if constexpr (std::is_same_v<Shape, Box>) {
+    const auto sharp = row(kBodyNumbers) == F(0.0);
+    if (!any(sharp)) return;
+    F of_cube[kMost];
+    cross_cube<D>(row, origin, direction, of_cube);
+    for (int k = 0; k < kMost; ++k) at[k] = select(sharp, of_cube[k], at[k]);
+  }
 }
 
 /// The first of crossings that lies in front; kNever where none does.
