@@ -137,7 +137,10 @@ TEST(BodyHits, OfToriDoNotDependOnOtherLanes) {
   std::vector<BodyProbeRay> rays;
   for (int k = 0; k < 500; ++k) {
     const Placed<Torus> body(random, {});
-    const auto some = in_floats(rays_at(body, 5, random));
+    auto some = in_floats(rays_at(body, 20, random));
+    const auto touching =
+        in_floats(touching_rays(body, some, crossings<Torus>(body.row, some), random));
+    some.insert(some.end(), touching.begin(), touching.end());
     start.insert(start.end(), some.size(), static_cast<std::int32_t>(numbers.size()));
     numbers.insert(numbers.end(), body.row.numbers(), body.row.numbers() + Row::kSize);
     rays.insert(rays.end(), some.begin(), some.end());
