@@ -4,6 +4,7 @@
 // all of them, and from one sample alone.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -18,19 +19,32 @@ ZRAKA_INLINE void place_samples(const InverseFilter& of, const SampleKeys& keys,
                                 R* __restrict columns, R* __restrict rows,
                                 std::uint8_t* __restrict negative) {
   const InverseFilter filter = of;
-  for (std::size_t i = 0; i < n; ++i) {
-    std::uint32_t u = 0, v = 0;
-    Sobol2(keys.shuffle[i], keys.u[i], keys.v[i]).find_bits(keys.number[i], u, v);
-    columns[i] += filter.template place<kBox, R>(u);
-    rows[i] += filter.template place<kBox, R>(v);
-    if constexpr (!kBox) negative[i] = filter.is_negative(u) != filter.is_negative(v);
+  // One step of many samples after the other: each waits long for what is before it.
+  constexpr std::size_t kChunk = 128;
+  for (std::size_t first = 0; first < n; first += kChunk) {
+    const std::size_t end = std::min(n, first + kChunk);
+    std::uint32_t places[kChunk], u[kChunk], v[kChunk];
+    const auto points = [&](std::size_t i) {
+      return Sobol2(keys.shuffle[i], keys.u[i], keys.v[i]);
+    };
+    for (std::size_t i = first; i < end; ++i) places[i - first] = points(i).order(keys.number[i]);
+    for (std::size_t i = first; i < end; ++i)
+      u[i - first] = points(i).first_bits(places[i - first]);
+    for (std::size_t i = first; i < end; ++i)
+      v[i - first] = points(i).second_bits(places[i - first]);
+    for (std::size_t i = first; i < end; ++i) {
+      columns[i] += filter.template place<kBox, R>(u[i - first]);
+      rows[i] += filter.template place<kBox, R>(v[i - first]);
+      if constexpr (!kBox)
+        negative[i] = filter.is_negative(u[i - first]) != filter.is_negative(v[i - first]);
+    }
   }
 }
 
 /// Unit directions through places in the picture, where these have been.
 template <class R>
-ZRAKA_INLINE void look_through_window(const FrozenCamera<R>& camera, std::size_t n,
-                                      R* __restrict x, R* __restrict y, R* __restrict z) {
+ZRAKA_INLINE void look_through_window(const FrozenCamera<R>& camera, std::size_t n, R* __restrict x,
+                                      R* __restrict y, R* __restrict z) {
   const V3<R> first = camera.first, right = camera.right, down = camera.down;
   for (std::size_t i = 0; i < n; ++i) {
     const V3<R> way = (first + down * y[i]) + right * x[i];
