@@ -114,10 +114,10 @@ Known<R> known_of(const FrozenScene<R>& scene, const Services<R>& services, Colo
   const auto count = static_cast<std::size_t>(level.hit_count);
   Known<R> known{{scratch.own_rows, scratch.own_rows + count * kMaterialReals}, {}};
   for (std::size_t h = 0; h < count; ++h) {
-    known.cones.push_back(scratch.details[h].width);
+    known.cones.push_back(scratch.cones[h].width);
     // Only what reflects asks for it.
     const R* const row = scratch.own_rows + h * kMaterialReals;
-    known.cones.push_back(row[kReflection] > R(0) ? scratch.details[h].curvature : 0);
+    known.cones.push_back(row[kReflection] > R(0) ? scratch.cones[h].curvature : 0);
   }
   return known;
 }

@@ -79,7 +79,7 @@ void find_on_shape(const FrozenScene<R>& scene, const FrozenTextures& textures,
 
 /// One hit: where it is for textures, and how its normal may be bent.
 struct Seen {
-  HitDetail& detail;
+  TexturePoint& at;
   /// From the shape's space to the engine's frame: gradients there as they are here.
   const Transform& to_shape;
   V3<double> along_u{}, along_v{};  ///< in the engine's frame
@@ -121,7 +121,7 @@ void find_unit(const V3<double>& point, const V3<double>& normal, Seen& seen) {
   const auto largest = [](const V3<double>& v) {
     return std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
   };
-  TexturePoint& to = seen.detail.at;
+  TexturePoint& to = seen.at;
   seen.unit = 1 / length(vector_of(turned(vec3_of(normal), seen.to_shape)));
   to.error = (largest(point) + 0x1p-10) * kEpsilon / seen.unit + largest(to.point) * 0x1p-50;
 }
@@ -129,11 +129,10 @@ void find_unit(const V3<double>& point, const V3<double>& normal, Seen& seen) {
 template <class R>
 Seen look(ShapeSpaces<R>& ways, LastShape<R>& shape, const FrozenTextures& textures,
           const HitPath& path, const V3<double>& point, const V3<double>& normal,
-          const V3<double>& view, double width, const Wanted& wanted, HitDetail& detail) {
+          const V3<double>& view, double width, const Wanted& wanted, TexturePoint& to) {
   ways.follow(path);
   shape.follow(ways.home(), path);
-  Seen seen{detail, ways.to_shape(shape.transform())};
-  TexturePoint& to = detail.at;  // what nobody asks for stays as it is
+  Seen seen{to, ways.to_shape(shape.transform())};  // what nobody asks for stays as it is
   if (wanted.surface) {  // many textures need a point alone
     // To the scene's own frame nothing moves, and no zero is left below 0.
     const Vec3 at = path.group == nullptr ? Vec3{point.x + 0.0, point.y + 0.0, point.z + 0.0}
@@ -149,9 +148,6 @@ Seen look(ShapeSpaces<R>& ways, LastShape<R>& shape, const FrozenTextures& textu
   if (wanted.footprint) find_footprint(seen, normal, view, width, to);
   to.error = 0;
   if (wanted.unit) find_unit(point, normal, seen);
-  seen.detail.width = width;
-  seen.detail.curvature =
-      wanted.surface || wanted.curvature ? shape.curvature() * ways.group_scale() : 0;
   return seen;
 }
 
@@ -169,7 +165,7 @@ V3<double> bent(const TextureSet& set, const NormalUse& use, const Seen& seen,
                 const V3<double>& normal, const V3<double>& view) {
   V3<double> way = normal;
   if (use.kind == NormalUse::Kind::bump) {
-    const V3<double> slope = set.slope(use.texture, seen.detail.at);
+    const V3<double> slope = set.slope(use.texture, seen.at);
     V3<double> rise;  // per unit of the engine's frame
     if (set.mapping(use.texture) == TextureMapping::uv) {
       const UvGradients slopes(seen.along_u, seen.along_v, normal);
@@ -182,7 +178,7 @@ V3<double> bent(const TextureSet& set, const NormalUse& use, const Seen& seen,
     rise = rise * (use.height * seen.unit);
     way = normal - (rise - normal * dot(rise, normal));
   } else {
-    const TextureValue m = set.value(use.texture, seen.detail.at);
+    const TextureValue m = set.value(use.texture, seen.at);
     const auto unit = [](const V3<double>& v) {
       const double l = length(v);
       return l > 0 ? v * (1 / l) : v;
@@ -216,6 +212,7 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
   LastShape<R> last;
   WaitingHits<R> waiting(scene, level, scratch, color_hits);
   TextureLookup known;
+  TexturePoint own;  // of one hit after another
   for (std::size_t h = 0; h < n; ++h) {
     const std::int32_t material = scratch.material[h];
     const R* const from = scene.materials + std::ptrdiff_t{material} * kMaterialReals;
@@ -225,21 +222,19 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
     const bool has_children =
         its.of_children || row[kReflection] != R(0) || row[kRefraction] != R(0);
     if (!its.any() && !has_children) {
-      scratch.details[h].width = scratch.details[h].curvature = 0;
+      scratch.cones[h] = {0, 0};
       continue;
     }
     if (!scratch.explained && scratch.paths[h].group == nullptr) {
-      HitDetail& detail = scratch.details[h];
       if (its.in_lanes && color_hits != nullptr) {
         last.follow(scene, scratch.paths[h]);
-        detail.curvature = has_children ? last.curvature() : 0;
+        scratch.cones[h].curvature = has_children ? last.curvature() : 0;
         waiting.add(static_cast<std::int32_t>(h), material, last.transform());
         continue;
       }
       if (!its.any()) {
         last.follow(scene, scratch.paths[h]);
-        detail.width = width_of_cone(level, scratch, h);
-        detail.curvature = last.curvature();
+        scratch.cones[h] = {width_of_cone(level, scratch, h), last.curvature()};
         continue;
       }
     }
@@ -256,14 +251,16 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
       normal = normal * (1 / length(normal));
     }
     const Seen seen = look(ways, last, textures, scratch.paths[h], point, normal, view, width, wanted,
-                     scratch.details[h]);
-    seen.detail.at.distance = (static_cast<double>(level.rays.travelled[begin + ray]) +
+                     scratch.explained ? scratch.points[h] : own);
+    scratch.cones[h] = {
+        width, wanted.surface || wanted.curvature ? last.curvature() * ways.group_scale() : 0};
+    seen.at.distance = (static_cast<double>(level.rays.travelled[begin + ray]) +
                                static_cast<double>(scratch.t[ray])) /
                               scene.frame_scale;
     known.placed = PreparedTexture::kNone;
     for (std::int32_t i = 0; i < its.use_count; ++i)
       put(its.uses[i].coefficient,
-          textures.set->value(its.uses[i].texture, seen.detail.at, known), row);
+          textures.set->value(its.uses[i].texture, seen.at, known), row);
     if (!bends) continue;
     if (scratch.smooth_x != nullptr) {
       scratch.smooth_x[h] = scratch.nx[h];
@@ -283,7 +280,7 @@ void spread_cones(const Level<R>& level, const Scratch<R>& scratch, Level<R>& ne
   const auto n = static_cast<std::size_t>(level.hit_count);
   for (std::size_t h = 0; h < n; ++h) {
     if (level.hits.reflected[h] < 0 && level.hits.refracted[h] < 0) continue;
-    const HitDetail& detail = scratch.details[h];
+    const HitCone& cone = scratch.cones[h];
     const auto ray = static_cast<std::size_t>(level.done + level.hits.ray[h]);
     const R* const row = scratch.own_rows + h * kMaterialReals;
     const bool inside = scratch.inside[h] > R(0);
@@ -292,10 +289,10 @@ void spread_cones(const Level<R>& level, const Scratch<R>& scratch, Level<R>& ne
     // the ray: a mirror spreads what it reflects by twice that, and a surface that refracts as
     // Snell's law for small angles has it. A lens draws a cone together, past its focus it widens
     // again: widths have a sign.
-    const double turn = (inside ? -detail.curvature : detail.curvature) * detail.width;
+    const double turn = (inside ? -cone.curvature : cone.curvature) * cone.width;
     const auto put = [&](std::int32_t child, double wide) {
       if (child < 0) return;
-      next.rays.width[child] = static_cast<R>(detail.width);
+      next.rays.width[child] = static_cast<R>(cone.width);
       next.rays.spread[child] = static_cast<R>(wide);
       next.rays.travelled[child] = level.rays.travelled[ray] + scratch.t[level.hits.ray[h]];
     };

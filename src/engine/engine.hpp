@@ -105,8 +105,9 @@ struct Scratch {
   R* own_rows;           ///< the rows for each hit; this and what follows is nullptr where the
   std::int32_t* own_row;  ///< scene has no textures: 0, 1, 2…
   HitPath* paths;
-  HitDetail* details;
-  /// Explanations read the details: all of them are found out, also what no texture asks for.
+  HitCone* cones;
+  TexturePoint* points;  ///< where they are for textures; kept for explanations alone
+  /// Explanations read the points: all of them are found out, also what no texture asks for.
   bool explained;
   R *smooth_x, *smooth_y, *smooth_z;  ///< normals before textures bend them, where recorded
   R *lx, *ly, *lz;  ///< unit direction to the light at hand
@@ -216,7 +217,7 @@ template <class R>
 struct HitServices;
 struct HitsOfMaterial;
 /// Finds what the textures of hits give (engine/texturing.hpp): writes it into scratch.own_rows,
-/// which has the material's coefficients, and the widths of cones into scratch.details.
+/// which has the material's coefficients, and the widths of cones into scratch.cones.
 template <class R>
 using ColorHits = void(const HitsOfMaterial& hits, const Level<R>& level, Scratch<R>& scratch);
 

@@ -267,7 +267,7 @@ void color_hits(const HitsOfMaterial& hits, const Level<typename L::Real>& level
       const F width = before(i) + spread(i) * distance(i);
       alignas(64) double widths[D::kWidth];
       D::store(width, widths);
-      for (std::size_t k = 0; k < count; ++k) scratch.details[numbers[k]].width = widths[k];
+      for (std::size_t k = 0; k < count; ++k) scratch.cones[numbers[k]].width = widths[k];
 
       SolidPlace<F> at;
       if (hits.its->sees_footprint)

@@ -150,11 +150,10 @@ void HitReader::read_textures(const Scratch<float>& scratch, std::size_t h,
   if (store_.scene.textures == nullptr) return;
   const MaterialTextures& its = store_.scene.textures->of_material[scratch.material[h]];
   if (!its.any()) return;
-  const HitDetail& detail = scratch.details[h];
-  hit.own = {
-      .point = roundest({detail.at.point.x, detail.at.point.y, detail.at.point.z}, detail.at.error),
-      .uv = {{detail.at.u, detail.at.v}},
-      .footprint = frame_.world_length(std::fabs(detail.width))};
+  const TexturePoint& at = scratch.points[h];
+  hit.own = {.point = roundest({at.point.x, at.point.y, at.point.z}, at.error),
+             .uv = {{at.u, at.v}},
+             .footprint = frame_.world_length(std::fabs(scratch.cones[h].width))};
   const float* const row = scratch.coefficients + scratch.row[h] * kMaterialReals;
   for (std::int32_t i = 0; i < its.use_count; ++i)
     hit.textures.push_back({its.uses[i].coefficient, texture(its.uses[i].texture),

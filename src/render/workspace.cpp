@@ -44,7 +44,8 @@ void place_all(Layout& layout, Level<R>* levels, Workspace<R>& workspace,
   if (needs.textured) {
     layout.place(batch * kMaterialReals, s.own_rows);
     layout.place(batch, s.own_row);
-    layout.place(batch, s.details);
+    layout.place(batch, s.cones);
+    if (needs.explained) layout.place(batch, s.points);
   }
   if (needs.textured || needs.general) layout.place(batch, s.paths);
   if (needs.general) layout.place(shadow_rays, s.part, s.blocked, s.shadow_order);
