@@ -21,7 +21,7 @@ constexpr double kWhole = 0.06;
 /// Scales as near to 1 as this are tried as 1, and are 1 if that is about as good.
 constexpr double kOwnSize = 0.02, kAsNear = 1.03;
 /// Pixels were repeated where that comes so much nearer.
-constexpr double kRepeatedIsNearer = 0.5;
+constexpr double kRepeatedIsNearer = 0.25, kMayBeRepeated = 0.7;
 
 /// A shift and a growth from the middle, along x and y.
 using Motion = std::array<double, 4>;
@@ -152,6 +152,37 @@ void move_onto(Fitted& fitted, const Image& wanted, bool scales, bool soft = fal
   }
 }
 
+/// Where its pixels lie that a screen has repeated, if that leaves no more than `most` at first:
+/// which are repeated changes from one place to the next, and has no slope.
+double repeat_pixels(Fitted& fitted, const Image& wanted, double most) {
+  const double w = wanted.width, h = wanted.height;
+  const auto repeated = [&](const Fitted& at) {
+    Fitted there = at;
+    there.softened = there.repeated = true;
+    return there;
+  };
+  const auto distance = [&](const Fitted& there) {
+    return robust_distance(there.image, through_scaling(wanted, there), there.region);
+  };
+  fitted = repeated(fitted);
+  double least = distance(fitted);
+  if (least > most) return least;
+  for (const double step : {0.15, 0.08, 0.04, 0.02})
+    for (int edge = 0; edge < 4; ++edge)
+      for (const double by : {step, -step}) {
+        GridPlacement at = fitted.placement;
+        double &start = edge < 2 ? at.left : at.top, &scale = edge < 2 ? at.across : at.down;
+        scale += (edge % 2 == 0 ? -by : by) / (edge < 2 ? w : h);
+        if (edge % 2 == 0) start += by;
+        Fitted moved = repeated(placed_at(fitted, at));
+        if (const double reached = distance(moved); reached < least) {
+          least = reached;
+          fitted = std::move(moved);
+        }
+      }
+  return least;
+}
+
 }  // namespace
 
 void refine(Fitted& fitted, const Image& wanted) {
@@ -185,10 +216,11 @@ void refine(Fitted& fitted, const Image& wanted) {
   }
   if (fitted.placement.across > 1 && fitted.placement.down > 1) {
     Fitted again = fitted;
-    again.softened = again.repeated = true;
-    const double reached =
-        robust_distance(again.image, through_scaling(wanted, again), again.region);
-    if (reached < kRepeatedIsNearer * least) fitted = std::move(again), least = reached;
+    if (const double reached = repeat_pixels(again, wanted, kMayBeRepeated * least);
+        reached < kRepeatedIsNearer * least) {
+      least = reached;
+      fitted = std::move(again);
+    }
   }
   const GridPlacement whole = rounded(fitted.placement, wanted.width, wanted.height);
   if (fitted.alignment.unpainted || whole == fitted.placement) return;

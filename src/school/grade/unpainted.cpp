@@ -52,19 +52,24 @@ Lattice best_lattice(const std::vector<double>& out, double& times_others) {
   for (std::uint32_t lines = 1; lines <= kMostOfPeriod; ++lines)
     for (std::uint32_t period = 2; period <= kFarthestApart * lines; ++period) {
       if (std::gcd(lines, period) != 1 || period < kNearest * lines) continue;
+      std::vector<double> of(period);
+      std::vector<std::size_t> columns(period);
+      for (std::uint32_t x = 2; x + 2 < width; ++x) {
+        of[x * lines % period] += out[x];
+        ++columns[x * lines % period];
+      }
       for (std::uint32_t phase = 0; phase < period; ++phase) {
-        const Lattice lattice{period, lines, phase};
         double on = 0, off = 1;
         std::size_t count = 0;
-        for (std::uint32_t x = 2; x + 2 < width; ++x) {
-          const bool has = lattice.has(x);
-          (has ? on : off) += out[x];
-          count += has;
+        for (std::uint32_t i = 0; i < period; ++i) {
+          const bool has = (i + phase) % period < lines;
+          (has ? on : off) += of[i];
+          count += has ? columns[i] : 0;
         }
         if (count < kLeastLines) continue;
         const double times =
             on / static_cast<double>(count) / (off / static_cast<double>(width - 4 - count));
-        if (times > times_others) times_others = times, best = lattice;
+        if (times > times_others) times_others = times, best = {period, lines, phase};
       }
     }
   return best;
