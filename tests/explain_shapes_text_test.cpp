@@ -214,7 +214,7 @@ TEST(ExplainShapesText, HaveMembersInJsonWhereTheyHaveMore) {
    "inside": false
   },
   {
-   "distance": 2.0161845487527748,
+   "distance": 2.0161845487527743,
    "member": "1.1",
    "enters": true,
    "inside": true

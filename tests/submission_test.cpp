@@ -132,9 +132,10 @@ TEST_F(Submissions, MayBeOfAnyShapeAndTakeNoMoreMemoryThanTheirScene) {
   };
   EXPECT_EQ(size(Image(40, 30)), "40x30");
   EXPECT_EQ(size(Image(224, 184)), "224x184");
-  EXPECT_EQ(size(Image(1000000, 1)), "224x1");
-  EXPECT_EQ(size(Image(1, 1000000)), "1x184");
-  EXPECT_EQ(size(Image(2000, 2000)), "224x184");
+  EXPECT_EQ(size(Image(1000000, 1)), "448x1");
+  EXPECT_EQ(size(Image(1, 1000000)), "1x368");
+  EXPECT_EQ(size(Image(2000, 2000)), "203x203");
+  EXPECT_EQ(size(Image(1600, 400)), "406x102");
   const Scene scene = course_scene();
   const Grader grader = Grader::create(scene, lab_options()).value();
   fs::create_directories(path("ana"));

@@ -203,11 +203,23 @@ Result<std::vector<SubmittedPicture>> read_submission(const std::string& path, L
 
 namespace {
 
-/// What a large picture keeps of its sides: both alike, as screens are wider than what they show.
-double to_be_scaled_by(const Image& pixels, const PictureKind& kind) {
-  const double most = (static_cast<double>(kMostScale) * kind.width + kFrame) *
-                      (static_cast<double>(kMostScale) * kind.height + kFrame);
-  return std::min(1.0, std::sqrt(most / (static_cast<double>(pixels.width) * pixels.height)));
+struct Sides {
+  std::uint32_t width, height;
+};
+
+/// What a large picture is made to: smaller by the same factor on both axes, as screens are wider
+/// than what they show; only what is far longer than any screen is pressed together.
+Sides sides_to_keep(const Image& pixels, const PictureKind& kind) {
+  constexpr std::uint32_t kLongest = 2;  // times what its size allows
+  const std::uint32_t width = kMostScale * kind.width + kFrame;
+  const std::uint32_t height = kMostScale * kind.height + kFrame;
+  const double by = std::sqrt(static_cast<double>(width) * height /
+                              (static_cast<double>(pixels.width) * pixels.height));
+  const auto kept = [&](std::uint32_t side, std::uint32_t most) {
+    const auto scaled = by < 1 ? static_cast<std::uint32_t>(std::lround(by * side)) : side;
+    return std::clamp(scaled, 1U, kLongest * most);
+  };
+  return {kept(pixels.width, width), kept(pixels.height, height)};
 }
 
 }  // namespace
@@ -222,11 +234,9 @@ Result<DecodedPicture> read_picture(const SubmittedPicture& picture, const Pictu
     if (made.jpeg) made.tables = jpeg_tables(bytes);
     Image& pixels = made.image;
     if (read->floats) pixels = as_stored(pixels, kind.transfer, 8);
-    if (const double by = to_be_scaled_by(pixels, kind); by < 1) {
-      const auto less = [by](std::uint32_t side) {
-        return std::max(1U, static_cast<std::uint32_t>(std::lround(by * side)));
-      };
-      pixels = scaled_by_area(pixels, less(pixels.width), less(pixels.height));
+    const Sides sides = sides_to_keep(pixels, kind);
+    if (sides.width < pixels.width || sides.height < pixels.height) {
+      pixels = scaled_by_area(pixels, sides.width, sides.height);
       made.tables.reset();
     }
     if (!made.tables) return made;

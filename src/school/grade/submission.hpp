@@ -50,9 +50,9 @@ struct PictureKind {
 /// of the path is touched; whether the path itself may be a link is said by `links`.
 Result<std::vector<SubmittedPicture>> read_submission(const std::string& path, Links links);
 
-/// A picture of a submission in stored values, with no more pixels than one four times as wide and
-/// as high as what it is compared with. Large ones are decoded one at a time, whatever the number
-/// of threads.
+/// A picture of a submission in stored values, with about as many pixels at most as one four times
+/// as wide and as high as what it is compared with. Large ones are decoded one at a time, whatever
+/// the number of threads.
 Result<DecodedPicture> read_picture(const SubmittedPicture& picture, const PictureKind& kind);
 
 /// Is the file called like a picture, or like an archive of pictures?
