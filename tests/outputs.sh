@@ -104,7 +104,7 @@ python3 -c 'import json, sys; assert json.load(open(sys.argv[1]))["a"]["file"] =
 # Why a grade fails is said where its page goes elsewhere.
 echo "no picture" >"$folder/bad.png"
 exactly 1 "$folder/bad.png: error: is no picture of a known kind
-  PNG, JPEG, PPM, PGM, PFM, Radiance HDR and OpenEXR can be read" "$zraka" grade "$scene" "$folder/bad.png" -o "$folder/bad.html"
+  PNG, JPEG, BMP, TGA, PPM, PGM, PFM, Radiance HDR and OpenEXR can be read" "$zraka" grade "$scene" "$folder/bad.png" -o "$folder/bad.html"
 
 # Signals: the exit code that shells give them, at once, and no half file.
 for signal in INT:130 TERM:143 HUP:129 QUIT:131; do

@@ -315,7 +315,7 @@ TEST(ReadImage, GoesByContentNotByName) {
 
 TEST(ReadImage, NamesOtherKindsOfFiles) {
   constexpr const char* kReadable =
-      "PNG, JPEG, PPM, PGM, PFM, Radiance HDR and OpenEXR can be read";
+      "PNG, JPEG, BMP, TGA, PPM, PGM, PFM, Radiance HDR and OpenEXR can be read";
   EXPECT_EQ(error_of(""), "a: error: the file is empty\n");
   EXPECT_EQ(error_of("hello"),
             std::string("a: error: is no picture of a known kind\n  ") + kReadable + "\n");

@@ -226,7 +226,7 @@ void add_compare(Command& program) {
   auto arguments = std::make_shared<CompareArguments>();
   Command app = program.add_command("compare", "say how far two pictures are apart, and where");
   app.add("A", &arguments->a,
-          "a picture: PNG, JPEG, PPM, PGM, PFM, HDR or OpenEXR; - reads standard input")
+          "a picture: PNG, JPEG, BMP, TGA, PPM, PGM, PFM, HDR or OpenEXR; - reads standard input")
       .required();
   app.add("B", &arguments->b, "the picture to compare with it").required();
   app.add("--tolerance", &arguments->options.tolerance,

@@ -53,13 +53,14 @@ struct ReadImage {
   /// Integers divided by their largest value, no curve undone: nothing in such a file says reliably
   /// whether they went through one. Floats as they are, with their infinities and NaNs.
   Image image;
-  std::string format;   ///< "PNG", "JPEG", "PPM", "PGM", "PFM", "Radiance HDR" or "OpenEXR"
+  /// "PNG", "JPEG", "BMP", "TGA", "PPM", "PGM", "PFM", "Radiance HDR" or "OpenEXR"
+  std::string format;
   int bits = 8;         ///< of a stored value: 8 or 16 (fewer count as 8), or those of a float
   bool floats = false;  ///< linear light, not bounded by 1
-  bool alpha = false;   ///< a PNG with pixels that are not opaque
+  bool alpha = false;   ///< a PNG, BMP or TGA with pixels that are not opaque
 };
 
-/// Reads a picture that its first bytes, not its name, tell to be a PNG, a JPEG, a PPM or PGM
+/// Reads a picture that its first bytes, not its name, tell to be a PNG, a JPEG, a BMP, a TGA, a PPM or PGM
 /// (text or binary, up to 16 bits), a PFM, a Radiance HDR or an OpenEXR (docs/compare.md). "-" is
 /// standard input. Fails where the file is cut off, damaged or of another kind, or has more than
 /// `max_pixels` pixels; a file's word about its size is not trusted with memory before it was

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/file.hpp"
 #include "formats/tachyon_reader.hpp"
 
 namespace zraka {
@@ -31,29 +30,13 @@ Result<Image> TachyonReader::read_picture(const std::string& name) {
   return **read;
 }
 
-/// A Targa of 24 bits a texel without compression, which is all that Tachyon reads. Its v goes up.
+/// The v of a Targa goes up.
 Result<Image> TachyonReader::read_targa(const std::string& name) {
-  constexpr std::size_t kHead = 18;
-  const Result<std::string> path =
-      SceneFolder{*options_.folder, options_.allow_outside}.path_of(name);
-  if (!path) return tl::make_unexpected(path.error());
-  const Result<std::string> file = read_file(*path, std::uint64_t{1} << 30);
-  if (!file) return tl::make_unexpected(file.error());
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>((*file)[i]); };
-  if (file->size() < kHead || byte(1) != 0 || byte(2) != 2 || byte(16) != 24)
-    return failure(name, "it is no Targa of 24 bits without compression");
-  const std::uint32_t width = byte(12) + 256u * byte(13), height = byte(14) + 256u * byte(15);
-  const std::size_t from = kHead + byte(0), texels = std::size_t{width} * height;
-  if (texels == 0 || texels > kMaxPixels || file->size() < from + 3 * texels)
-    return failure(name, "the Targa is cut off, or empty");
-  Image image(width, height);
-  const bool from_above = (byte(17) & 0x20) != 0;
-  for (std::uint32_t y = 0; y < height; ++y) {
-    float* const row = image.row(from_above ? height - 1 - y : y);
-    const std::size_t at = from + std::size_t{3} * width * y;
-    for (std::size_t i = 0; i < std::size_t{3} * width; ++i)
-      row[i / 3 * 3 + 2 - i % 3] = static_cast<float>(byte(at + i)) / 255;
-  }
+  Result<Image> image = read_picture(name);
+  if (!image) return image;
+  for (std::uint32_t y = 0; y < image->height / 2; ++y)
+    std::swap_ranges(image->row(y), image->row(y) + std::size_t{3} * image->width,
+                     image->row(image->height - 1 - y));
   return image;
 }
 

@@ -24,6 +24,7 @@ constexpr std::array kImageFormats = {
     ImageFormat{"P6", parse_pnm},
     ImageFormat{"PF", parse_pfm},
     ImageFormat{"Pf", parse_pfm},
+    ImageFormat{"BM", parse_bmp},
     ImageFormat{"#?RADIANCE", parse_hdr},
     ImageFormat{"#?RGBE", parse_hdr},
     ImageFormat{"\x76\x2F\x31\x01", parse_exr},
@@ -34,7 +35,6 @@ struct OtherFormat {
   std::string_view start, name;
 };
 constexpr std::array kOtherFormats = {
-    OtherFormat{"BM", "a BMP"},
     OtherFormat{"GIF8", "a GIF"},
     OtherFormat{"RIFF", "a WebP"},
     OtherFormat{"II*", "a TIFF"},
@@ -74,6 +74,7 @@ Result<ReadImage> parse_file(const ImageFile& file) {
           name,
           phrase(Word::image_other, Phrase{std::string(other.name), without_article(other.name)}),
           phrase(Word::image_save_as, phrase(Word::image_readable)));
+  if (is_tga(bytes)) return parse_tga(file);
   return failure(name, phrase(Word::image_unknown), phrase(Word::image_readable));
 }
 

@@ -38,6 +38,12 @@ Result<ReadImage> parse_pfm(const ImageFile& file);
 /// Radiance's RGBE, in any order of lines, with runs of either kind or none; an exposure that the
 /// header notes is not undone.
 Result<ReadImage> parse_hdr(const ImageFile& file);
+/// BMP, not packed; how opaque pixels are only where its masks say so.
+Result<ReadImage> parse_bmp(const ImageFile& file);
+/// TGA, which has no first bytes of its own: is_tga() says whether a file's first ones can be a
+/// header, which few other files' can.
+bool is_tga(std::string_view bytes);
+Result<ReadImage> parse_tga(const ImageFile& file);
 /// By OpenEXRCore: one part of scan lines or tiles with R, G and B, or Y alone; the display window,
 /// black where the file has no pixels.
 Result<ReadImage> parse_exr(const ImageFile& file);

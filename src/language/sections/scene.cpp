@@ -56,7 +56,7 @@ constexpr Table kGradient = table_of<Gradient>(
     "gradient", "From colour to colour, evenly with the height of the ray's direction.",
     kGradientFields);
 constexpr Field kSkyPanoramaFields[] = {
-    field<&Panorama::file>("file", {.text = "the picture: PNG, JPEG, PPM, PGM, PFM, HDR or OpenEXR",
+    field<&Panorama::file>("file", {.text = "the picture: PNG, JPEG, BMP, TGA, PPM, PGM, PFM, HDR or OpenEXR",
                                     .unit = Unit::picture}),
     field<&Panorama::texture>("texture", {.text = "in its place, a texture of kind image"}),
     field<&Panorama::up>("up", {.text = "which way is up", .unit = Unit::direction}),

@@ -17,7 +17,7 @@ constexpr Choice kTransfers[] = {
     {"srgb", "by the sRGB curve, as in photographs"},
 };
 constexpr Field kImageFields[] = {
-    field<&Texture::file>("file", {.text = "the picture: PNG, JPEG, PPM, PGM, PFM, HDR or OpenEXR",
+    field<&Texture::file>("file", {.text = "the picture: PNG, JPEG, BMP, TGA, PPM, PGM, PFM, HDR or OpenEXR",
                                    .unit = Unit::picture,
                                    .required = true}),
     field<&Texture::transfer>(

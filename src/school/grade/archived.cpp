@@ -176,7 +176,7 @@ Result<void> ArchiveReader::take(archive* from, const std::string& name, const s
 bool is_picture(const std::string& file) {
   const std::string extension = lower_case(fs::path(file).extension().string());
   for (const char* known : {".png", ".jpg", ".jpeg", ".ppm", ".pgm", ".pnm", ".pfm", ".exr", ".bmp",
-                            ".gif", ".tif", ".tiff", ".webp"})
+                            ".tga", ".gif", ".tif", ".tiff", ".webp"})
     if (extension == known) return true;
   return false;
 }
