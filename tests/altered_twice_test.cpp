@@ -3,6 +3,9 @@
 // right before.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "handed_in.hpp"
 #include "school/grade/refine.hpp"
 #include "school/grade/unpainted.hpp"
@@ -54,6 +57,22 @@ TEST_F(AlteredTwice, IsFoundWhereItLiesByTenthsOfAPixel) {
     expect_right(grade);
     EXPECT_NEAR(grade.alignment.left, 0.92, 0.03);
     EXPECT_NEAR(grade.alignment.top, 0.84, 0.03);
+  }
+}
+
+/// A window's corners are round, and what lies behind it shows there.
+TEST_F(AlteredTwice, MayHaveRoundCorners) {
+  for (const int stage : {3, 5, 7}) {
+    Image picture = altered::smooth(grader.picture(stage), 1.3, 1.3);
+    const auto side = static_cast<double>(picture.width), radius = 0.035 * side;
+    for (std::uint32_t y = 0; y < picture.height; ++y)
+      for (std::uint32_t x = 0; x < picture.width; ++x) {
+        const double across = std::max(radius - std::min(x + 0.5, side - x - 0.5), 0.0);
+        const double down = std::max(radius - std::min(y + 0.5, side - y - 0.5), 0.0);
+        if (std::hypot(across, down) > radius)
+          std::fill_n(picture.row(y) + std::size_t{3} * x, 3, 0.2F);
+      }
+    expect_right(judged(picture, {}));
   }
 }
 

@@ -212,8 +212,8 @@ class Lookups {
   ZRAKA_INLINE void find_places(const PreparedTexture& t, const SolidPlace<F>& in_shape,
                                 F along_rays, std::size_t count) {
     const SolidPlace<F> at = place_in_texture(t, in_shape);
-    InLanes<D> point, axes[2];
-    alignas(64) double error[D::kWidth], distance[D::kWidth];
+    InLanes<D> point, axes[2]{};
+    alignas(64) double error[D::kWidth] = {}, distance[D::kWidth];
     point.store(at.point);
     D::store(along_rays, distance);
     if (t.sees_footprint) {

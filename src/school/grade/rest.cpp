@@ -137,6 +137,38 @@ class Surroundings {
 
 namespace {
 
+/// Windows have round corners, and what lies behind them shows there: how many pixels at both ends
+/// of a row tell nothing.
+std::uint32_t hidden_by_corners(const Image& image, std::uint32_t y) {
+  constexpr double kRadius = 0.04;  // of the shorter side
+  const double radius = kRadius * std::min(image.width, image.height);
+  const double inwards = std::min(y, image.height - 1 - y) + 0.5;
+  if (inwards >= radius) return 0;
+  const double up = radius - inwards;
+  return static_cast<std::uint32_t>(std::ceil(radius - std::sqrt(radius * radius - up * up)));
+}
+
+/// A picture's rows, with another's pixels where round corners hide its own.
+class RowsInCorners {
+ public:
+  RowsInCorners(const Image& picture, const Image& other) : picture_(picture), other_(other) {}
+  const float* at(std::uint32_t y) {
+    const std::size_t hidden = std::size_t{3} * hidden_by_corners(picture_, y);
+    const float* const own = picture_.row(y);
+    if (hidden == 0) return own;
+    const std::size_t width = std::size_t{3} * picture_.width;
+    row_.assign(own, own + width);
+    const float* const behind = other_.row(y);
+    std::copy_n(behind, hidden, row_.data());
+    std::copy_n(behind + width - hidden, hidden, row_.data() + width - hidden);
+    return row_.data();
+  }
+
+ private:
+  const Image &picture_, &other_;
+  std::vector<float> row_;
+};
+
 /// What smoothing has brought nothing into from outside of a region.
 Region untouched(const Region& r, const Image& image, std::uint32_t by) {
   const Region less{r.left > 0 ? r.left + by : 0, r.top > 0 ? r.top + by : 0,
@@ -156,8 +188,9 @@ Rest rest_of(const Image& picture, const Image& other, const Region& whole,
   Blocks blocks(region, close.grey);
   double beyond = 0, energy = 0;
   Solid solid(region);
+  RowsInCorners rows(picture, close.blur > 0 ? soft : picture);
   for (std::uint32_t y = region.top; y < region.bottom; ++y) {
-    const float *p = picture.row(y), *l = soft.row(y), *h = l;
+    const float *p = rows.at(y), *l = soft.row(y), *h = l;
     if (close.reach) {
       around.look_at(y);
       l = around.least.data();
