@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kFileHeader = 14, kCoreHeader = 12, kInfoHeader = 40;
 
 /// Which bits of a pixel are a channel.
-struct Channel {
+struct BmpChannel {
   std::uint32_t mask = 0;
   float of(std::uint32_t pixel) const {
     if (mask == 0) return 0;
@@ -25,14 +25,14 @@ struct BmpHeader {
   std::uint32_t width = 0, height = 0, bits = 0, encoding = 0;
   bool from_top = false;
   std::size_t pixels_at = 0, palette_at = 0, palette_entry = 4;
-  Channel r, g, b, alpha;
+  BmpChannel r, g, b, alpha;
 };
 
 tl::unexpected<Diagnostics> ends_early(const ImageFile& file) {
   return failure(file.name, phrase(Word::image_no_header, "BMP"));
 }
 
-void find_channels(const ImageFile& file, std::size_t header, BmpHeader& bmp) {
+void find_bmp_channels(const ImageFile& file, std::size_t header, BmpHeader& bmp) {
   constexpr std::uint32_t kMasks = 3;  // the encoding that has them in the file
   constexpr std::size_t kWithAlpha = 56;
   if (bmp.bits == 16) bmp.r = {0x7C00}, bmp.g = {0x03E0}, bmp.b = {0x001F};
@@ -44,7 +44,7 @@ void find_channels(const ImageFile& file, std::size_t header, BmpHeader& bmp) {
   if (header >= kWithAlpha) bmp.alpha = {little32(file.bytes, at + 12)};
 }
 
-Result<BmpHeader> read_header(const ImageFile& file) {
+Result<BmpHeader> read_bmp_header(const ImageFile& file) {
   const std::string_view bytes = file.bytes;
   if (bytes.size() < kFileHeader + kCoreHeader) return ends_early(file);
   const std::uint32_t header = little32(bytes, kFileHeader);
@@ -73,7 +73,7 @@ Result<BmpHeader> read_header(const ImageFile& file) {
   if (masks && bytes.size() < kFileHeader + kInfoHeader + 16) return ends_early(file);
   if (const Result<void> fits = file.check_size(bmp.width, bmp.height); !fits)
     return tl::make_unexpected(fits.error());
-  find_channels(file, header, bmp);
+  find_bmp_channels(file, header, bmp);
   return bmp;
 }
 
@@ -105,7 +105,7 @@ RasterPixel pixel_of(const ImageFile& file, const BmpHeader& bmp, std::string_vi
 }  // namespace
 
 Result<ReadImage> parse_bmp(const ImageFile& file) {
-  const Result<BmpHeader> header = read_header(file);
+  const Result<BmpHeader> header = read_bmp_header(file);
   if (!header) return tl::make_unexpected(header.error());
   const BmpHeader& bmp = *header;
   const std::uint64_t row = (std::uint64_t{bmp.width} * bmp.bits + 31) / 32 * 4;

@@ -8,7 +8,7 @@ namespace zraka {
 namespace {
 
 constexpr std::size_t kHeader = 18;
-enum Kind : std::uint32_t { kMapped = 1, kColors = 2, kGrey = 3, kRuns = 8 };
+enum TgaKind : std::uint32_t { kMapped = 1, kColors = 2, kGrey = 3, kRuns = 8 };
 
 struct TgaHeader {
   std::uint32_t kind, width, height, bits, map_first, map_size, map_bits, corner, alpha_bits;
