@@ -64,7 +64,7 @@ TEST_F(AlteredTwice, IsFoundWhereItLiesByTenthsOfAPixel) {
 TEST_F(AlteredTwice, MayHaveRoundCorners) {
   for (const int stage : {3, 5, 7}) {
     Image picture = altered::smooth(grader.picture(stage), 1.3, 1.3);
-    const auto side = static_cast<double>(picture.width), radius = 0.035 * side;
+    const auto side = static_cast<double>(picture.width), radius = 0.02 * side;
     for (std::uint32_t y = 0; y < picture.height; ++y)
       for (std::uint32_t x = 0; x < picture.width; ++x) {
         const double across = std::max(radius - std::min(x + 0.5, side - x - 0.5), 0.0);

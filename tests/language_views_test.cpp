@@ -369,7 +369,7 @@ TEST(LanguageSkies, SayWhatIsWrong) {
             "a colour: [r, g, b], each 0 or more, one number for grey, or \"#rrggbb\"");
   EXPECT_EQ(first("{kind = \"image\"}"),
             "s.toml:4:14: error: background of scene has no file: expected the picture: PNG, JPEG, "
-            "PPM, PGM, PFM, HDR or OpenEXR, the name of a picture's file, in quotes");
+            "BMP, TGA, PPM, PGM, PFM, HDR or OpenEXR, the name of a picture's file, in quotes");
   EXPECT_EQ(first("{kind = \"image\", file = \"none.png\"}"),
             "s.toml:4:38: error: file of background of scene: none.png: cannot be read: No such "
             "file or directory");

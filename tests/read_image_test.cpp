@@ -266,8 +266,8 @@ TEST(ReadPnm, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(error_of("P5 2 1 100\n\x01\x65"),
             "a: error: pixel (1, 0) holds 101, where 100 is the largest value\n");
   EXPECT_EQ(error_of("P4 8 1 x"),
-            "a: error: is a PBM, which cannot be read here\n  save it as PNG; PNG, JPEG, PPM, PGM, "
-            "PFM, Radiance HDR and OpenEXR can be read\n");
+            "a: error: is a PBM, which cannot be read here\n  save it as PNG; PNG, JPEG, BMP, TGA, "
+            "PPM, PGM, PFM, Radiance HDR and OpenEXR can be read\n");
 }
 
 std::string float_bytes(const std::vector<float>& values, bool big_endian) {
