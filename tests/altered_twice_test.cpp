@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "handed_in.hpp"
+#include "school/grade/align.hpp"
 #include "school/grade/refine.hpp"
 #include "school/grade/unpainted.hpp"
 
@@ -60,20 +61,32 @@ TEST_F(AlteredTwice, IsFoundWhereItLiesByTenthsOfAPixel) {
   }
 }
 
-/// A window's corners are round, and what lies behind it shows there.
+/// A window's corners are round, and what lies behind it shows there: that leaves nothing, and what
+/// is as dark at other places does.
 TEST_F(AlteredTwice, MayHaveRoundCorners) {
-  for (const int stage : {3, 5, 7}) {
-    Image picture = altered::smooth(grader.picture(stage), 1.3, 1.3);
-    const auto side = static_cast<double>(picture.width), radius = 0.02 * side;
-    for (std::uint32_t y = 0; y < picture.height; ++y)
-      for (std::uint32_t x = 0; x < picture.width; ++x) {
-        const double across = std::max(radius - std::min(x + 0.5, side - x - 0.5), 0.0);
-        const double down = std::max(radius - std::min(y + 0.5, side - y - 0.5), 0.0);
-        if (std::hypot(across, down) > radius)
-          std::fill_n(picture.row(y) + std::size_t{3} * x, 3, 0.2F);
-      }
-    expect_right(judged(picture, {}));
-  }
+  const Image& right = grader.picture(5);
+  const Region whole{0, 0, kSide, kSide};
+  Closeness close{};
+  close.tolerance = 3.0F / 255;
+  close.blur = 1;
+  const auto rest = [&](const Image& picture) {
+    return rest_of(smoothed(picture, close.blur), right, whole, close);
+  };
+  const double radius = 0.035 * kSide;
+  Image round = right;
+  for (std::uint32_t y = 0; y < kSide; ++y)
+    for (std::uint32_t x = 0; x < kSide; ++x) {
+      const double across = std::max(radius - std::min(x + 0.5, kSide - x - 0.5), 0.0);
+      const double down = std::max(radius - std::min(y + 0.5, kSide - y - 0.5), 0.0);
+      if (std::hypot(across, down) > radius)
+        std::fill_n(round.row(y) + std::size_t{3} * x, 3, 0.9F);
+    }
+  EXPECT_EQ(rest(round).solid, 0);
+  EXPECT_LT(rest(round).share, 0.001);
+  Image marked = right;
+  for (std::uint32_t y = kSide / 2; y < kSide / 2 + 5; ++y)
+    std::fill_n(marked.row(y), 15, 0.9F);
+  EXPECT_GT(rest(marked).solid, 0);
 }
 
 /// Where so little is lost that outlines are alike.
