@@ -2,14 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """features.py BUILD [ROUNDS]: what scenes have beyond the lab's, one thing at a time, by zraka and by POV-Ray.
 
-Nine and 900 spheres on a plane, a third of them mirrors, and the same with another light, another material, a texture
-or an image on the floor; and pairs of this folder. Medians of ROUNDS, 3 if it is not said; beside.py says what is
+Nine and 900 spheres on a plane, a third of them mirrors, and the same with another light, another material or a texture
+on the floor; and pairs of this folder. Medians of ROUNDS, 3 if it is not said; beside.py says what is
 measured.
 """
 import pathlib
 import random
-import struct
-import zlib
 
 import beside
 
@@ -48,8 +46,6 @@ FRESNEL = GLASS + 'refraction = 1\nfresnel = "exact"\n'
 SYRUP = FRESNEL + "absorption = [0.3, 0.1, 0.2]\n"
 TILES = '[texture.tiles]\nkind = "checker"\ncolors = [[0.9, 0.9, 0.9], [0.1, 0.1, 0.1]]\nsize = 2\n' \
         "transform = [{translate = [0, 1, 0]}]\n"
-PHOTO = '[texture.photo]\nkind = "image"\nfile = "photo.png"\nmapping = "solid"\n' \
-        "transform = [{scale = 4}, {rotate = [1, 0, 0], by_deg = -90}]\n"
 
 
 def spheres(side, materials):
@@ -72,18 +68,6 @@ def painted(name):
     return beside.MATERIALS.replace("ambient = 0.2\ndiffuse = 0.6", f'color = "{name}"', 1)
 
 
-def write_photo(path, side=256):
-    """Waves of colour, as smooth as a photo is between its edges."""
-    rows = b"".join(b"\0" + bytes(channel for x in range(side) for channel in
-                                  ((x * x // 97 + y) % 200 + 40, (x + y * y // 61) % 200 + 40, (x ^ y) % 200 + 40))
-                    for y in range(side))
-
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, 0)) +
-                     chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
-
-
 FEATURES = {
     "a point's light, mirrors": {},
     "a spot's light": {"light": SPOT},
@@ -93,7 +77,6 @@ FEATURES = {
     "glass, Fresnel": {"head": SHADOWS, "glass": FRESNEL},
     "glass that absorbs": {"head": SHADOWS, "glass": SYRUP},
     "a checker": {"texture": TILES, "floor": painted("tiles")},
-    "an image": {"texture": PHOTO, "floor": painted("photo")},
 }
 
 
@@ -101,7 +84,6 @@ def main():
     build, rounds = beside.arguments(__doc__)
     folder = build / "features"
     folder.mkdir(exist_ok=True)
-    write_photo(folder / "photo.png")
     scenes = {}
     for number, (name, parts) in enumerate(FEATURES.items()):
         for side in (3, 30):
