@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What bodies.py and features.py share: scenes drawn by zraka and by POV-Ray in turns, and a line of a table for each.
 
-Both draw each scene without antialiasing on all threads; times are the processor's, of a picture of 1280×960 above those
-of one of 8×6, so that loading and building are not among them. The pictures that are compared are those of 640×480
-(pair.py has the rules).
+Both draw each scene without antialiasing on all threads; times are the processor's, of a picture of 1280×960 above
+those of one of 8×6, so that loading and building are not among them. The pictures that are compared are those of
+640×480 (pair.py has the rules).
 """
 import math
 import pathlib
