@@ -3,8 +3,7 @@
 """features.py BUILD [ROUNDS]: what scenes have beyond the lab's, one thing at a time, by zraka and by POV-Ray.
 
 Nine and 900 spheres on a plane, a third of them mirrors, and the same with another light, another material or a texture
-on the floor; and pairs of this folder. Medians of ROUNDS, 3 if it is not said; beside.py says what is
-measured.
+on the floor; and pairs of this folder. Medians of ROUNDS, 3 if it is not said; beside.py says what is measured.
 """
 import pathlib
 import random

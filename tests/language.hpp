@@ -37,7 +37,8 @@ inline std::string english_words_in(std::string_view text) {
       });
     for (const char* both :
          {"to",  "no",   "on",      "do",   "zraka", "javascript", "program", "srgb", "input",
-          "txt", "bmp", "tga", "png", "pdf",  "jpeg",    "gzip", "utf",   "docs",       "nff",     "toml", "md",
+          "txt", "png", "pdf",  "jpeg",    "gzip", "utf",   "docs",       "nff",     "toml", "md",
+          "bmp", "tga",
           "zip", "json", "ppm",     "pgm",  "pfm",   "exr",        "mib",     "kd",   "ka",
           "ks",  "ni",   "openexr", "cmyk", "width", "radiance",   "hdr",    "fresnel", "particles", "tachyon", "gltf"})
       words.erase(both);
