@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What bodies.py and features.py share: scenes drawn by zraka and by POV-Ray in turns, and a line of a table for each.
 
-Both draw each scene without antialiasing on all threads; times are the processor's, of a picture of 1280×960 above
+Both draw each scene on all threads, without antialiasing unless the scene is said to have it, which is 16 rays a pixel
+then, whatever they find; times are the processor's, of a picture of 1280×960 above
 those of one of 8×6, so that loading and building are not among them. The pictures that are compared are those of
 640×480 (pair.py has the rules).
 """
@@ -59,18 +60,23 @@ def processor_seconds(command, folder):
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-def measure(build, folder, scene, rounds):
+# Sixteen rays a pixel, in a grid as POV-Ray's without jitter.
+ZRAKAS_SMOOTH = ["--grid", "4"]
+POVRAYS_SMOOTH = ["+AM1", "+A0.0", "+R4", "-J"]
+
+
+def measure(build, folder, scene, rounds, is_smooth=False):
     """POV-Ray's, zraka's and zraka's time by AVX2, and the share of equal pixels."""
     stem = folder / scene.stem
     pair.seconds([build / "bench" / "write_povray", scene, f"{stem}.pov"], folder)
 
     def zraka(size, *more, output=f"{stem}-zraka.ppm"):
         return [build / "zraka", "render", scene, "-o", output, "--profile", "physical", "--max-depth", "4",
-                "--width", str(size[0]), "--height", str(size[1]), *more]
+                "--width", str(size[0]), "--height", str(size[1]), *(ZRAKAS_SMOOTH if is_smooth else ()), *more]
 
     def povray(size):
-        return ["povray", f"+I{stem}.pov", f"+O{stem}-povray.png", f"+W{size[0]}", f"+H{size[1]}", "-D", "-V", "-A",
-                "+FN8", "File_Gamma=srgb"]
+        return ["povray", f"+I{stem}.pov", f"+O{stem}-povray.png", f"+W{size[0]}", f"+H{size[1]}", "-D", "-V",
+                "+FN8", "File_Gamma=srgb", *(POVRAYS_SMOOTH if is_smooth else ("-A",))]
 
     ways = [povray, zraka, lambda size: zraka(size, "--isa", "avx2")]
     times = [[], [], []]
@@ -84,13 +90,13 @@ def measure(build, folder, scene, rounds):
     return *(statistics.median(t) for t in times), equal
 
 
-def table(build, folder, scenes, rounds):
-    """Prints a line for each of {name: scene}, and the means."""
+def table(build, folder, scenes, rounds, smooth=()):
+    """Prints a line for each of {name: scene}, and the means; scenes whose name is in `smooth` have 16 rays a pixel."""
     folder.mkdir(exist_ok=True)
     ratios = []
     print("| scene | POV-Ray, ms | zraka, ms | × | AVX2, ms | × | equal |\n|---|--:|--:|--:|--:|--:|--:|")
     for name, scene in scenes.items():
-        theirs, ours, avx2, equal = measure(build, folder, scene, rounds)
+        theirs, ours, avx2, equal = measure(build, folder, scene, rounds, name in smooth)
         ratios.append((theirs / ours, theirs / avx2))
         print(f"| {name} | {1000 * theirs:.0f} | {1000 * ours:.0f} | {theirs / ours:.1f} | {1000 * avx2:.0f} | "
               f"{theirs / avx2:.1f} | {100 * equal:.2f} % |", flush=True)

@@ -43,6 +43,7 @@ ior = 1.5
 CLEAR = GLASS + "refraction = 0.999\n"
 FRESNEL = GLASS + 'refraction = 1\nfresnel = "exact"\n'
 SYRUP = FRESNEL + "absorption = [0.3, 0.1, 0.2]\n"
+PRISM = CLEAR + "dispersion = {abbe = 25}\n"
 TILES = '[texture.tiles]\nkind = "checker"\ncolors = [[0.9, 0.9, 0.9], [0.1, 0.1, 0.1]]\nsize = 2\n' \
         "transform = [{translate = [0, 1, 0]}]\n"
 
@@ -75,6 +76,7 @@ FEATURES = {
     "glass, transparent shadows": {"head": SHADOWS, "glass": CLEAR},
     "glass, Fresnel": {"head": SHADOWS, "glass": FRESNEL},
     "glass that absorbs": {"head": SHADOWS, "glass": SYRUP},
+    "glass, 12 wavelengths": {"head": SHADOWS, "glass": PRISM},
     "a checker": {"texture": TILES, "floor": painted("tiles")},
 }
 
@@ -83,15 +85,18 @@ def main():
     build, rounds = beside.arguments(__doc__)
     folder = build / "features"
     folder.mkdir(exist_ok=True)
-    scenes = {}
+    scenes, smooth = {}, []
     for number, (name, parts) in enumerate(FEATURES.items()):
         for side in (3, 30):
             path = folder / f"{number}-{side * side}.toml"
             path.write_text(scene(side, **parts))
             scenes[f"{side * side} spheres, {name}"] = path
+            if not parts:
+                smooth.append(f"{side * side} spheres, 16 rays a pixel")
+                scenes[smooth[-1]] = path
     for name in ("glass", "instances", "refraction"):
         scenes[f"pairs/{name}.toml"] = HERE / "pairs" / f"{name}.toml"
-    beside.table(build, folder, scenes, rounds)
+    beside.table(build, folder, scenes, rounds, smooth)
 
 
 if __name__ == "__main__":

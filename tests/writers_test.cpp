@@ -233,6 +233,27 @@ TEST(Writers, WritePovraysShapesAndMaterials) {
     expect_has(text, part);
 }
 
+TEST(Writers, DispersePovraysGlassAsItsFormulaSays) {
+  Scene scene = of_all_bodies();
+  scene.defaults.wavelengths = 9;
+  for (Material& m : scene.materials)
+    if (m.refraction.most() > 0)
+      m.dispersion = {Dispersion::Kind::cauchy, {1.5, 0.01, 0.0002}};
+  const std::string text = text_of(scene, "povray");
+  const auto number_behind = [&](const std::string& word) {
+    const std::size_t found = text.find(word);
+    EXPECT_NE(found, std::string::npos) << word << " in " << text;
+    return found == std::string::npos ? 0 : std::stod(text.substr(found + word.size()));
+  };
+  const double ior = number_behind("interior { ior "), ratio = number_behind(" dispersion ");
+  EXPECT_EQ(number_behind("dispersion_samples "), 9);
+  // POV-Ray 3.7 spreads its bands evenly from 380 to 730 nm and takes ior·dispersion^((555 - λ)/350).
+  const auto theirs = [&](double nm) { return ior * std::pow(ratio, (555 - nm) / 350); };
+  const auto cauchy = [](double nm) { return 1.5 + 1e4 / (nm * nm) + 2e8 / std::pow(nm, 4); };
+  EXPECT_NEAR(theirs(587.5618), cauchy(587.5618), 1e-6);
+  EXPECT_NEAR(theirs(486.1327) / theirs(656.2725), cauchy(486.1327) / cauchy(656.2725), 1e-6);
+}
+
 TEST(Writers, FadePovraysLightsAsTheirsFade) {
   Scene scene = of_all_bodies();
   scene.lights = {{.position = {1, 2, 3}, .color = {2, 4, 8}, .attenuation = {2, 0, 0.5}},

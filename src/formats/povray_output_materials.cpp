@@ -2,11 +2,13 @@
 // Materials as macros of POV-Ray, M0 for the first: texture, interior, and whether shadows are
 // thrown.
 #include <algorithm>
+#include <cmath>
 
 #include "core/text.hpp"
 #include "formats/plain_material.hpp"
 #include "formats/povray_output.hpp"
 #include "formats/vectors.hpp"
+#include "materials/dispersion.hpp"
 
 namespace zraka {
 namespace {
@@ -36,7 +38,6 @@ void PovrayWriter::count_lost(const Material& m) {
   losses_.count("materials: the highlight's colour",
                 m.specular.r != m.specular.g || m.specular.g != m.specular.b);
   losses_.count("materials: priority", m.priority != 0);
-  losses_.count("materials: dispersion", m.dispersion.kind != Dispersion::Kind::none);
   losses_.count(
       "materials: that what is transparent throws a full shadow",
       m.refraction.most() > 0 && m.casts_shadow && scene_.defaults.shadows == Shadows::opaque);
@@ -58,7 +59,19 @@ void PovrayWriter::write_finish(const Material& m) {
 
 void PovrayWriter::write_interior(const Material& m) {
   if (!(m.refraction.most() > 0)) return;
-  put(" interior {{ ior {} ", m.ior);
+  double ior = m.ior;
+  std::string dispersion;
+  if (m.dispersion.kind != Dispersion::Kind::none) {
+    // POV-Ray's index at λ is ior·dispersion^((0.555 µm - λ)/0.35 µm): equal at the lines F and C as
+    // a ratio, and at d.
+    constexpr double kMiddle = 0.555, kWidth = 0.35;
+    const auto index = [&m](double line) { return refractive_index(m.dispersion, m.ior, line); };
+    const double ratio = std::pow(index(kLineF) / index(kLineC), kWidth / (kLineC - kLineF));
+    ior = index(kLineD) * std::pow(ratio, (kLineD - kMiddle) / kWidth);
+    dispersion = fmt::format("dispersion {} dispersion_samples {} ", ratio,
+                             std::max(scene_.defaults.wavelengths, 2));
+  }
+  put(" interior {{ ior {} {}", ior, dispersion);
   // From a power of 1000 on it fades by exp(-(1 - color)·depth/distance).
   if (m.absorption != Color{})
     put("fade_power 1001 fade_distance 1 fade_color {} ",
