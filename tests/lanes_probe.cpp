@@ -275,7 +275,7 @@ std::uint64_t from_point(const FrozenScene<float>* floats, const FrozenScene<dou
     for (int k = 0; k < 3; ++k) d[k][i] = static_cast<R>(rays[i].direction[k]);
   const V3<R> origin{static_cast<R>(rays->origin[0]), static_cast<R>(rays->origin[1]),
                      static_cast<R>(rays->origin[2])};
-  const PointRays<L> all(origin, static_cast<R>(rays->limit), d[0], d[1], d[2], count);
+  const PointRays<L> all(*own(floats, doubles, R()), origin, static_cast<R>(rays->limit), d[0], d[1], d[2], count);
   return blocked_from_point<L>(*own(floats, doubles, R()), all);
 }
 

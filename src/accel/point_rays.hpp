@@ -2,6 +2,8 @@
 // Rays of one point in all directions, among spheres: which of them are blocked.
 #pragma once
 
+#include <cmath>
+
 #include "accel/bundle.hpp"
 #include "accel/shadowless.hpp"
 
@@ -30,10 +32,11 @@ class PointRays {
 
   /// From the origin along the first `count` directions, kMost at most, with room for reads of a
   /// register past them; these have to stay where they are.
-  ZRAKA_INLINE PointRays(const V3<R>& origin, R limit, const R* dx, const R* dy, const R* dz,
-                         std::size_t count)
+  ZRAKA_INLINE PointRays(const FrozenScene<R>& scene, const V3<R>& origin, R limit, const R* dx,
+                         const R* dy, const R* dz, std::size_t count)
       : origin_{F(origin.x), F(origin.y), F(origin.z)},
         limit_(limit),
+        limited_(may_be_beyond(limit, scene.reach, origin)),
         direction_{dx, dy, dz},
         all_(0) {
     for (std::size_t i = 0; i < count; i += L::kWidth) {
@@ -41,7 +44,7 @@ class PointRays {
       const F inverse[3] = {slab_inverse(x), slab_inverse(y), slab_inverse(z)};
       for (std::size_t axis = 0; axis < 3; ++axis) {
         L::store(inverse[axis], inverse_[axis] + i);
-        L::store(select(inverse[axis] < F(0), I(kNodeWidth), I(0)), near_[axis] + i);
+        L::store(select(inverse[axis] < F(0), I(2 * kNodeWidth), I(0)), near_[axis] + i);
       }
       // What overflows on its way becomes no number, and hits nothing.
       const F zero = (origin_.x + origin_.y + origin_.z + x + y + z) * F(0);
@@ -87,22 +90,14 @@ class PointRays {
   /// new top.
   ZRAKA_INLINE Entry* push_children(const Node& node, std::uint32_t visited, Rays rays,
                                     Entry* top) const {
-    Sides sides;
+    alignas(64) Sides sides;
     alignas(64) std::int32_t keys[kNodeWidth];  // distances, and lanes in the lowest bits
     alignas(64) std::int32_t through[2][kNodeWidth];
     std::uint32_t wanted = 0;
     for (std::size_t k = 0; k < kNodeWidth; k += L::kWidth) {
-      const V3<F> lower = V3<F>{L::load_box(node.lower_x + k), L::load_box(node.lower_y + k),
-                                L::load_box(node.lower_z + k)} -
-                          origin_;
-      const V3<F> upper = V3<F>{L::load_box(node.upper_x + k), L::load_box(node.upper_y + k),
-                                L::load_box(node.upper_z + k)} -
-                          origin_;
-      L::store(lower.x, sides[0] + k), L::store(upper.x, sides[0] + kNodeWidth + k);
-      L::store(lower.y, sides[1] + k), L::store(upper.y, sides[1] + kNodeWidth + k);
-      L::store(lower.z, sides[2] + k), L::store(upper.z, sides[2] + kNodeWidth + k);
-      const V3<F> away{max(max(lower.x, -upper.x), F(0)), max(max(lower.y, -upper.y), F(0)),
-                       max(max(lower.z, -upper.z), F(0))};
+      const V3<F> away{put_sides(node.lower_x, node.upper_x, origin_.x, k, sides[0]),
+                       put_sides(node.lower_y, node.upper_y, origin_.y, k, sides[1]),
+                       put_sides(node.lower_z, node.upper_z, origin_.z, k, sides[2])};
       const F square = dot(away, away);
       L::store(keys_of(square, k), keys + k);
       wanted |= bits(square <= F(limit_ * limit_ * R(1.01))) << k;
@@ -113,10 +108,10 @@ class PointRays {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
       // Above all that are farther, without a branch.
       const I mine(keys[lane]);
-      std::uint32_t not_above = 0;
+      std::uint32_t farther = 0;
       for (std::size_t k = 0; k < kNodeWidth; k += L::kWidth)
-        not_above |= bits(mine >= L::load(keys + k)) << k;
-      top[__builtin_popcount(wanted & ~not_above)] = {
+        farther |= bits(L::load(keys + k) > mine) << k;
+      top[__builtin_popcount(wanted & farther)] = {
           node.child[lane], node.leaf[lane], 0,
           Rays{static_cast<std::uint32_t>(through[0][lane])} |
               Rays{static_cast<std::uint32_t>(through[1][lane])} << 32};
@@ -124,10 +119,12 @@ class PointRays {
     return top + __builtin_popcount(wanted);
   }
 
-  /// Which of the rays the spheres [first, first + count) block.
+  /// Which of the rays the spheres [first, first + count) block, and perhaps what some that follow
+  /// these block besides: these are in the scene, too.
   ZRAKA_INLINE Rays blocked_by(const FrozenScene<R>& scene, std::int32_t first, std::int32_t count,
                                Rays rays) const {
     constexpr auto kWidth = static_cast<std::int32_t>(L::kWidth);
+    if (scene.shadowless != nullptr) return blocked_exactly(scene, first, count, rays);
     Rays blocked = 0;
     std::int32_t k = 0;
     if constexpr (kWidth < kNodeWidth)
@@ -138,8 +135,25 @@ class PointRays {
   }
 
  private:
-  /// Of a node's boxes, along each axis the lower sides and the upper ones.
-  using Sides = R[3][2 * kNodeWidth];
+  /// Of a node's boxes along each axis, seen from the origin: near and far sides of rays that go
+  /// up, then of those that go down. What is near is not behind the origin.
+  using Sides = R[3][4 * kNodeWidth];
+
+  /// Puts the sides of the boxes from number k on along one axis; returns how far these are away.
+  static ZRAKA_INLINE F put_sides(const float* lower, const float* upper, F origin, std::size_t k,
+                                  R (&sides)[4 * kNodeWidth]) {
+    const F low = L::load_box(lower + k) - origin, high = L::load_box(upper + k) - origin;
+    const F ahead = max(low, F(0)), behind = min(high, F(0));
+    L::store(ahead, sides + k), L::store(high, sides + kNodeWidth + k);
+    L::store(behind, sides + 2 * kNodeWidth + k), L::store(low, sides + 3 * kNodeWidth + k);
+    return max(ahead, -behind);
+  }
+
+  /// Whether something in a scene of that reach may be beyond the limit.
+  static ZRAKA_INLINE bool may_be_beyond(R limit, R reach, const V3<R>& origin) {
+    for (const R o : {origin.x, origin.y, origin.z}) reach = std::fmax(reach, std::fabs(o));
+    return !(limit * limit * R(0.4) > reach * reach * R(16));
+  }
 
   ZRAKA_INLINE V3<F> direction(std::size_t i) const {
     return {F(direction_[0][i]), F(direction_[1][i]), F(direction_[2][i])};
@@ -158,15 +172,13 @@ class PointRays {
         const auto bit = static_cast<std::size_t>(__builtin_ctz(left)), i = half * 32 + bit;
         const F x(inverse_[0][i]), y(inverse_[1][i]), z(inverse_[2][i]);
         const I one(kSingleBits.of[bit]);
-        const auto nx = static_cast<std::size_t>(near_[0][i]), fx = nx ^ kNodeWidth;
-        const auto ny = static_cast<std::size_t>(near_[1][i]), fy = ny ^ kNodeWidth;
-        const auto nz = static_cast<std::size_t>(near_[2][i]), fz = nz ^ kNodeWidth;
+        const R *const nx = sides[0] + near_[0][i], *const ny = sides[1] + near_[1][i],
+                       *const nz = sides[2] + near_[2][i];
         for (std::size_t r = 0; r < kRegistersOfNode; ++r) {
-          const std::size_t k = r * L::kWidth;
-          const F in = max(max(L::load(sides[0] + nx + k) * x, L::load(sides[1] + ny + k) * y),
-                           max(L::load(sides[2] + nz + k) * z, F(0)));
-          const F out = min(min(L::load(sides[0] + fx + k) * x, L::load(sides[1] + fy + k) * y),
-                            L::load(sides[2] + fz + k) * z);
+          const std::size_t k = r * L::kWidth, far = kNodeWidth + k;
+          const F in = max(max(L::load(nx + k) * x, L::load(ny + k) * y), L::load(nz + k) * z);
+          const F out =
+              min(min(L::load(nx + far) * x, L::load(ny + far) * y), L::load(nz + far) * z);
           hit[r] = set_bits(in <= out, one, hit[r]);
         }
       }
@@ -180,52 +192,53 @@ class PointRays {
     return ~hit_by_none;
   }
 
-  /// Spheres as they are seen from the origin. A ray hits for sure what it is more `along` of than
-  /// `inner`, and nothing that it is less along of than `outer`.
+  /// Spheres as they are seen from the origin: what a ray `passes` is above `margin` where it hits
+  /// for sure, and below -margin where it misses.
   struct Cones {
     V3<F> to_center;
-    F inner, outer;
-    /// The square of a direction times the way to the centre, with its sign.
-    ZRAKA_INLINE F along(const V3<F>& direction) const {
+    F minus_power, margin;
+    /// b² - c of the sphere's power c, where the ray goes away from the sphere -c.
+    ZRAKA_INLINE F passes(const V3<F>& direction) const {
       const F b =
           roughly_mul_add(direction.z, to_center.z,
                           roughly_mul_add(direction.y, to_center.y, direction.x * to_center.x));
-      return b * abs(b);
+      return roughly_mul_add(max(b, F(0)), b, minus_power);
     }
   };
 
-  /// By b² - c of the sphere's power c, of which a hit is sure where it is above 0, and none where
-  /// it is below, by 128 half units of its largest parts: as in ShapeLanes<Sphere>::blocks(), with
-  /// as much again for b, which is rounded otherwise here.
-  ZRAKA_INLINE Cones cones_of(const F* s, typename L::M exists) const {
-    const F far(kFarAway<R>);
-    const V3<F> to_center{s[0] - origin_.x, s[1] - origin_.y, s[2] - origin_.z};
-    const F radius_square = select(exists, s[3] * s[3], -far);  // none is farther than any
-    const F square = dot(to_center, to_center), c = square - radius_square;
-    const F magnitude = square + radius_square, margin = magnitude * F(0x1p-17f);
-    const auto outside = c > F(0);
-    // What is inside, beyond the limit, or near to it, is asked where it is hit.
-    const auto within = magnitude < F(limit_ * limit_ * R(0.4));
-    return {to_center, select(both(outside, within), c + margin, far),
-            select(outside, c - margin, -far)};
+  /// The margin is 128 half units of the largest parts: as in ShapeLanes<Sphere>::blocks(), with as
+  /// much again for b, which is rounded otherwise here. Of a sphere that the origin is in nothing
+  /// is sure.
+  ZRAKA_INLINE Cones cones_of(const FrozenShapes<R, Sphere>& spheres, std::int32_t first) const {
+    const auto column = [&](std::size_t k) { return L::load(spheres.column[k] + first); };
+    const V3<F> to_center{column(0) - origin_.x, column(1) - origin_.y, column(2) - origin_.z};
+    const F radius = column(3);
+    const F square =
+        roughly_mul_add(to_center.z, to_center.z,
+                        roughly_mul_add(to_center.y, to_center.y, to_center.x * to_center.x));
+    const F minus_power = roughly_mul_sub(radius, radius, square);
+    const F magnitude = roughly_mul_add(radius, radius, square), margin = magnitude * F(0x1p-17f);
+    const F inside = (minus_power + margin) * F(0x1p60f);
+    Cones cones{to_center, minus_power, max(margin, inside)};
+    if (limited_) {
+      // What is beyond the limit, or near to it, is asked where it may be hit: from -margin on.
+      const auto near = magnitude < F(limit_ * limit_ * R(0.4));
+      const F large = max(magnitude * F(4), inside);
+      cones.minus_power = select(near, minus_power, minus_power + margin - large);
+      cones.margin = select(near, cones.margin, large);
+    }
+    return cones;
   }
 
-  /// Of so many registers of spheres, the first `count` there are.
+  /// Of so many registers of spheres, of which the first `count` are those that are asked for.
   template <int kCount>
   ZRAKA_INLINE Rays blocked_by_registers(const FrozenScene<R>& scene, std::int32_t first,
                                          std::int32_t count, Rays rays) const {
-    F sphere[kCount][4];
-    typename L::M exists[kCount], unknown[kCount];
     Cones cones[kCount];
+    F closest[kCount];  // to 0 of what the rays pass
     for (int n = 0; n < kCount; ++n) {
-      const std::int32_t k = n * static_cast<std::int32_t>(L::kWidth);
-      load_shapes<L>(scene.spheres, first + k, sphere[n]);
-      exists[n] = L::first(static_cast<std::size_t>(count - k));
-      if (scene.shadowless != nullptr)
-        exists[n] = L::from_bits(that_throw_shadows(scene, scene.spheres, bits(exists[n]),
-                                                    [&](int lane) { return first + k + lane; }));
-      cones[n] = cones_of(sphere[n], exists[n]);
-      unknown[n] = L::first(0);
+      cones[n] = cones_of(scene.spheres, first + n * static_cast<std::int32_t>(L::kWidth));
+      closest[n] = F(kFarAway<R>);
     }
     Rays blocked = 0;
     for (Rays left = rays; left != 0; left &= left - 1) {
@@ -233,35 +246,44 @@ class PointRays {
       const V3<F> d = direction(i);
       auto by_any = L::first(0);
       for (int n = 0; n < kCount; ++n) {
-        const F along = cones[n].along(d);
-        const auto hit = along > cones[n].inner;
-        unknown[n] = either(unknown[n], but_not(along > cones[n].outer, hit));
+        const F passes = cones[n].passes(d);
+        const auto hit = passes > cones[n].margin;
+        closest[n] = min(closest[n], abs(passes));
         by_any = n == 0 ? hit : either(by_any, hit);
       }
       blocked |= Rays{any(by_any)} << i;
     }
-    for (int n = 0; n < kCount; ++n)
-      if (any(unknown[n]))
-        blocked |= blocked_exactly(sphere[n], exists[n], cones[n], rays & ~blocked);
+    auto unknown = closest[0] <= cones[0].margin;
+    for (int n = 1; n < kCount; ++n) unknown = either(unknown, closest[n] <= cones[n].margin);
+    if (any(unknown)) blocked |= blocked_exactly(scene, first, count, rays & ~blocked);
     return blocked;
   }
 
   /// The same by the distances of those that may hit.
-  __attribute__((noinline)) Rays blocked_exactly(const F* sphere, typename L::M exists,
-                                                 const Cones& cones, Rays rays) const {
+  __attribute__((noinline)) Rays blocked_exactly(const FrozenScene<R>& scene, std::int32_t first,
+                                                 std::int32_t count, Rays rays) const {
     Rays blocked = 0;
-    for (; rays != 0; rays &= rays - 1) {
-      const auto i = static_cast<std::size_t>(__builtin_ctzll(rays));
-      const auto maybe = both(exists, cones.along(direction(i)) > cones.outer);
-      if (!any(maybe)) continue;
-      const F t = ShapeLanes<Sphere, L>::intersect(sphere, origin_, direction(i));
-      blocked |= Rays{any(both(maybe, both(t > F(0), t < F(limit_))))} << i;
+    for (std::int32_t k = 0; k < count; k += static_cast<std::int32_t>(L::kWidth)) {
+      F sphere[4];
+      load_shapes<L>(scene.spheres, first + k, sphere);
+      const Cones cones = cones_of(scene.spheres, first + k);
+      const auto exists = L::from_bits(that_throw_shadows(
+          scene, scene.spheres, bits(L::first(static_cast<std::size_t>(count - k))),
+          [&](int lane) { return first + k + lane; }));
+      for (Rays left = rays & ~blocked; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(__builtin_ctzll(left));
+        const auto maybe = both(exists, cones.passes(direction(i)) >= -cones.margin);
+        if (!any(maybe)) continue;
+        const F t = ShapeLanes<Sphere, L>::intersect(sphere, origin_, direction(i));
+        blocked |= Rays{any(both(maybe, both(t > F(0), t < F(limit_))))} << i;
+      }
     }
     return blocked;
   }
 
   V3<F> origin_;
   R limit_;
+  bool limited_;  ///< there may be spheres beyond the limit
   const R* direction_[3];
   Rays all_;
   alignas(64) R inverse_[3][kMost];
@@ -276,13 +298,17 @@ std::uint64_t blocked_from_point(const FrozenScene<R>& scene, const PointRays<L>
   Entry stack[kMaxNodeDepth * kNodeWidth + kNodeWidth + 2];
   Entry* top = stack;
   *top++ = {0, 0, PointRays<L>::kAround, left};
+  // What the leaf before has blocked is left out one entry later: so the processor need not wait
+  // for the one to begin with the other.
+  std::uint64_t last = 0;
   while (top != stack) {
     const Entry& entry = *--top;  // a copy would wait for the stores of its parts
     const std::uint64_t asking = entry.rays & left;
     if (asking == 0) continue;
     const std::int32_t child = entry.child;
     if (entry.leaf != 0) {
-      left &= ~rays.blocked_by(scene, child, leaf_count(entry.leaf), asking);
+      left &= ~last;
+      last = rays.blocked_by(scene, child, leaf_count(entry.leaf), asking);
       continue;
     }
     const Node& node = scene.hierarchy.nodes[child];
@@ -290,7 +316,7 @@ std::uint64_t blocked_from_point(const FrozenScene<R>& scene, const PointRays<L>
               ? rays.push_around(child, node, asking, top)
               : rays.push_children(node, entry.visited, asking, top);
   }
-  return rays.all() & ~left;
+  return rays.all() & ~(left & ~last);
 }
 
 }  // namespace zraka::ZRAKA_ISA

@@ -40,7 +40,7 @@ void find_blocked_from_points(const FrozenScene<R>& scene, std::size_t n, Scratc
     std::size_t end = first + 1;
     const std::size_t last = std::min(n, first + PointRays<L>::kMost);
     while (end < last && scratch.shadow_ray_hit[end] == hit) ++end;
-    const PointRays<L> rays({scratch.sox[hit], scratch.soy[hit], scratch.soz[hit]},
+    const PointRays<L> rays(scene, {scratch.sox[hit], scratch.soy[hit], scratch.soz[hit]},
                             scratch.sdistance[first], scratch.sdx + first, scratch.sdy + first,
                             scratch.sdz + first, end - first);
     const std::uint64_t blocked = blocked_from_point<L>(scene, rays);

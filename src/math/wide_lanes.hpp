@@ -91,6 +91,9 @@ ZRAKA_INLINE IndexLanes operator*(IndexLanes a, IndexLanes b) {
 ZRAKA_INLINE MaskLanes operator==(IndexLanes a, IndexLanes b) {
   return {hn::RebindMask(wide::d, hn::Eq(a.v, b.v))};
 }
+ZRAKA_INLINE MaskLanes operator>(IndexLanes a, IndexLanes b) {
+  return {hn::RebindMask(wide::d, hn::Lt(b.v, a.v))};
+}
 ZRAKA_INLINE MaskLanes operator>=(IndexLanes a, IndexLanes b) {
   return {hn::RebindMask(wide::d, hn::Not(hn::Lt(a.v, b.v)))};
 }
