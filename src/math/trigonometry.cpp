@@ -101,10 +101,24 @@ double cosine_of_rest(const Pair& r) {
   return high + (((1 - high) - half) + (z * z * series(z, kCosine) - r.high * r.low));
 }
 
+/// For x of π/4 or more and less than kFewTurns, without whole numbers: what π/2 has in three parts
+/// with zeros behind them is taken from it so many times (Cody and Waite, "Software manual for the
+/// elementary functions", 1980).
+constexpr double kFewTurns = 64;
+Turned turned_a_little(double x) {
+  constexpr double kPerQuarter = 0x1.45f306dc9c883p-1;
+  constexpr double kParts[] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2ep-69,
+                               0x1.b839a252049c1p-104};
+  const auto quarters = static_cast<unsigned>(x * kPerQuarter + 0.5);
+  const double times = quarters;
+  const Pair s = sum(x - times * kParts[0], -times * kParts[1]);
+  return {quarters, sum(s.high, (s.low - times * kParts[2]) - times * kParts[3])};
+}
+
 /// Of any finite angle.
 Turned reduced(double x) {
   if (!(std::fabs(x) > 0.78)) return {0, {x, 0}};
-  const Turned t = turned(x);
+  const Turned t = std::fabs(x) < kFewTurns ? turned_a_little(std::fabs(x)) : turned(x);
   return x < 0 ? Turned{4 - t.quarters, {-t.rest.high, -t.rest.low}} : t;
 }
 
