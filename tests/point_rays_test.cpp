@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays of one point among spheres are blocked where each of them is by itself.
+// Rays of one point are blocked where each of them is by itself.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -99,10 +99,26 @@ TEST(PointRays, AreBlockedInDeepHierarchies) {
   expect_blocked_alike(spheres(30000, 0.015));
 }
 
+TEST(PointRays, AreBlockedAmongShapesOfAllKinds) {
+  Scene scene = everything(400, 0.15);
+  scene.cones.insert(scene.cones.end(), 50, {});
+  const Scene more = cylinders(50, 0.2);
+  std::copy(more.cones.begin(), more.cones.end(), scene.cones.end() - 50);
+  expect_blocked_alike(scene);
+}
+TEST(PointRays, AreBlockedByPlanes) {
+  Scene scene = everything(300, 0.1);
+  scene.planes.push_back({{{0, -0.8, 0}, {0.1, 1, 0.2}}, 0});
+  scene.planes.push_back({{{0.9, 0, 0}, {1, 0.1, -0.3}}, 0});
+  expect_blocked_alike(scene);
+}
+
 TEST(PointRays, GoThroughShapesThatThrowNoShadows) {
-  Scene scene = spheres(1000, 0.05);
+  Scene scene = everything(400, 0.1);
+  scene.planes.push_back({{{0, -0.5, 0}, {0, 1, 0}}, 1});
   scene.materials.push_back({});
-  for (std::size_t i = 0; i < scene.spheres.size(); i += 3) scene.spheres[i].material = 1;
+  for (std::size_t i = 0; i < 400; i += 3)
+    scene.spheres[i].material = scene.triangles[i].material = scene.cones[i].material = 1;
   const Frozen frozen(scene);
   FrozenScene<float> floats = frozen.floats->scene;
   const std::uint8_t shadowless[] = {0, 1};

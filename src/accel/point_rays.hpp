@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays of one point in all directions, among spheres: which of them are blocked.
+// Rays of one point in all directions: which of them are blocked. Spheres are asked most quickly.
 #pragma once
 
 #include <cmath>
 
 #include "accel/bundle.hpp"
+#include "accel/plane_rays.hpp"
 #include "accel/shadowless.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -134,6 +135,39 @@ class PointRays {
     return blocked;
   }
 
+  /// Which of the rays shapes of any kind block, those of a leaf from number `first` on.
+  __attribute__((noinline)) Rays blocked_by_shapes(const FrozenScene<R>& scene, std::int32_t leaf,
+                                                   std::int32_t first, Rays rays) const {
+    Rays blocked = 0;
+    with_kind(scene, leaf_kind(leaf), [&]<class Shape>(const FrozenShapes<R, Shape>& shapes) {
+      if constexpr (!std::is_same_v<Shape, Body>)
+        blocked = blocked_in_lanes(scene, shapes, first, leaf_count(leaf), rays);
+    });
+    return blocked;
+  }
+
+  /// Which of all rays the bodies block that have no bounds.
+  Rays blocked_by_unbounded(const FrozenScene<R>& scene) const {
+    const auto& bodies = scene.bodies;
+    Rays blocked = 0;
+    if (bodies.bounded == bodies.count) return blocked;
+    for (std::size_t i = 0; i < kMost && all_ >> i != 0; i += L::kWidth) {
+      const RayLanes<L> ray{origin_,
+                            {L::load(direction_[0] + i), L::load(direction_[1] + i),
+                             L::load(direction_[2] + i)},
+                            F(limit_),
+                            I(-1)};
+      auto by_any = L::first(0);
+      for (std::int32_t k = bodies.bounded; k < bodies.count; ++k) {
+        if (is_shadowless(scene, bodies, k)) continue;
+        const F t = intersect_unbounded<true, L>(bodies, k, ray);
+        by_any = either(by_any, both(t > F(0), t < ray.t));
+      }
+      blocked |= Rays{bits(by_any)} << i;
+    }
+    return blocked & all_;
+  }
+
  private:
   /// Of a node's boxes along each axis, seen from the origin: near and far sides of rays that go
   /// up, then of those that go down. What is near is not behind the origin.
@@ -259,7 +293,30 @@ class PointRays {
     return blocked;
   }
 
-  /// The same by the distances of those that may hit.
+  /// A register of shapes at a time, and a ray after the other.
+  template <class Shape>
+  ZRAKA_INLINE Rays blocked_in_lanes(const FrozenScene<R>& scene,
+                                     const FrozenShapes<R, Shape>& shapes, std::int32_t first,
+                                     std::int32_t count, Rays rays) const {
+    Rays blocked = 0;
+    for (std::int32_t k = 0; k < count; k += static_cast<std::int32_t>(L::kWidth)) {
+      const auto exists = L::first(static_cast<std::size_t>(count - k));
+      const F limit = select(exists, F(limit_), F(-1));
+      NumbersOf<Shape, L> shape;
+      load_shapes<L>(shapes, first + k, shape);
+      for (Rays left = rays & ~blocked; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(__builtin_ctzll(left));
+        const F t = intersect_shape<true, Shape, L>(shape, origin_, direction(i), limit);
+        const std::uint32_t by =
+            that_throw_shadows(scene, shapes, bits(both(t > F(0), t < limit)),
+                               [&](int lane) { return first + k + lane; });
+        blocked |= Rays{by != 0} << i;
+      }
+    }
+    return blocked;
+  }
+
+  /// What blocked_by_registers() finds by the distances of those that may hit.
   __attribute__((noinline)) Rays blocked_exactly(const FrozenScene<R>& scene, std::int32_t first,
                                                  std::int32_t count, Rays rays) const {
     Rays blocked = 0;
@@ -290,11 +347,12 @@ class PointRays {
   alignas(64) std::int32_t near_[3][kMost];
 };
 
-/// Which of the rays from one point are blocked, a bit each, in a scene of a hierarchy of spheres.
+/// Which of the rays from one point are blocked, a bit each, in a scene with a hierarchy that holds
+/// no bodies.
 template <class L, class R = typename L::Real>
 std::uint64_t blocked_from_point(const FrozenScene<R>& scene, const PointRays<L>& rays) {
   using Entry = typename PointRays<L>::Entry;
-  std::uint64_t left = rays.all();
+  std::uint64_t left = rays.all() & ~rays.blocked_by_unbounded(scene);
   Entry stack[kMaxNodeDepth * kNodeWidth + kNodeWidth + 2];
   Entry* top = stack;
   *top++ = {0, 0, PointRays<L>::kAround, left};
@@ -308,7 +366,9 @@ std::uint64_t blocked_from_point(const FrozenScene<R>& scene, const PointRays<L>
     const std::int32_t child = entry.child;
     if (entry.leaf != 0) {
       left &= ~last;
-      last = rays.blocked_by(scene, child, leaf_count(entry.leaf), asking);
+      last = leaf_kind(entry.leaf) == kKindOfSphere
+                 ? rays.blocked_by(scene, child, leaf_count(entry.leaf), asking)
+                 : rays.blocked_by_shapes(scene, entry.leaf, child, asking);
       continue;
     }
     const Node& node = scene.hierarchy.nodes[child];

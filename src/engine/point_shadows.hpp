@@ -7,33 +7,41 @@
 
 namespace zraka::ZRAKA_ISA {
 
-/// Whether all shapes are spheres in a hierarchy, none of them much larger than the others.
+/// With fewer rays of a point, to ask for the point first takes longer than it saves: among spheres,
+/// and among triangles, which are fewer in their leaves.
+inline constexpr std::size_t kFewFromPoint = 8, kFewAmongTriangles = 32;
+
+/// From how many rays of a point on these are asked for the point; none where the scene has no
+/// hierarchy, or one with bodies, which are asked by registers of rays, or with cones, of which
+/// pairs fill registers better.
 template <class R>
-ZRAKA_INLINE bool has_spheres_only(const FrozenScene<R>& scene) {
+ZRAKA_INLINE std::size_t least_from_point(const FrozenScene<R>& scene) {
   std::int32_t all = 0;
 #define ZRAKA_ADD(Type, plural) all += scene.plural.count;
   ZRAKA_KINDS(ZRAKA_ADD)
 #undef ZRAKA_ADD
-  return scene.hierarchy.nodes != nullptr && all == scene.spheres.count;
+  all -= scene.bodies.count - scene.bodies.bounded;
+  if (scene.hierarchy.nodes == nullptr) return 0;
+  if (all == scene.spheres.count) return kFewFromPoint;
+  const std::int32_t triangles = scene.triangles.count + scene.smooth_triangles.count;
+  return all == scene.spheres.count + triangles ? kFewAmongTriangles : 0;
 }
 
-/// With fewer rays of a point, to ask for the point first takes longer than it saves.
-inline constexpr std::size_t kFewFromPoint = 8;
-
-/// Whether at least so many of the first n shadow rays begin at a hit, in the mean.
+/// Whether `least` of the first n shadow rays begin at a hit, in the mean.
 template <class R>
-ZRAKA_INLINE bool begin_together(std::size_t n, const Scratch<R>& scratch) {
+ZRAKA_INLINE bool begin_together(std::size_t least, std::size_t n, const Scratch<R>& scratch) {
   std::size_t hits = 0;
   for (std::size_t i = 0; i < n; ++i)
     hits += i == 0 || scratch.shadow_ray_hit[i] != scratch.shadow_ray_hit[i - 1] ? 1 : 0;
-  return n >= kFewFromPoint * hits;
+  return n >= least * hits;
 }
 
-/// As Services::find_blocked_from_points(): by points among spheres, else in the order of all
+/// As Services::find_blocked_from_points(): by points where it can, else in the order of all
 /// directions.
 template <class L, class R = typename L::Real>
 void find_blocked_from_points(const FrozenScene<R>& scene, std::size_t n, Scratch<R>& scratch) {
-  if (!has_spheres_only(scene) || !begin_together(n, scratch))
+  const std::size_t least = least_from_point(scene);
+  if (least == 0 || !begin_together(least, n, scratch))
     return find_blocked_in_order<L>(scene, n, scratch);
   for (std::size_t first = 0; first < n;) {
     const std::int32_t hit = scratch.shadow_ray_hit[first];
