@@ -186,6 +186,20 @@ struct SampleKeys {
   const std::uint32_t *shuffle, *u, *v, *number;
 };
 
+/// Samples of one pixel, `count` of them from number `first` of its sequence on, for the places from
+/// `begin` on.
+struct SampleRun {
+  double column, row;  ///< of the pixel
+  std::uint32_t shuffle, u, v, first, count, begin;
+};
+
+/// Samples that have been drawn, run by run, and room for what each of them is drawn from.
+struct SampleRuns {
+  const SampleRun* runs;
+  std::size_t count;
+  std::uint32_t *shuffle, *u, *v, *number;
+};
+
 /// What arrives at hits from a light that is no surface, a number each; directions to it stand in
 /// Scratch::lx, ly and lz.
 struct ArrivingLight {
@@ -247,11 +261,10 @@ struct Services {
                        std::size_t n, const Scratch<R>& scratch, const ArrivingSamples<R>& to);
   /// Of the first n shadow rays, (R·V)^n or (N·H)^n at their hits.
   void (*find_highlights)(std::size_t n, const Scratch<R>& scratch, double* highlights);
-  /// Rays from the eye through n places in the picture, which stand where their directions will,
-  /// columns in x and rows in y. With a filter these are pixels' places, and are moved to those of
-  /// samples.
+  /// Rays from the eye through n places in the picture: with a filter those of the runs' samples,
+  /// else those that stand where their directions will, columns in x and rows in y.
   void (*make_window_rays)(const FrozenCamera<R>& camera, const InverseFilter* filter,
-                           const SampleKeys& keys, std::size_t n, RayArrays<R>& rays,
+                           const SampleRuns& runs, std::size_t n, RayArrays<R>& rays,
                            std::uint8_t* negative);
   /// Of the first n hits in the list in scratch.shadow_ray_hit, takes those out whose way to the
   /// light the scene blocks, and puts them into another; scratch.lit is 0 there. Returns how many

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "engine/engine.hpp"
+#include "engine/sobol_lanes.hpp"
 #include "sampling/warp.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -26,12 +27,8 @@ void make_hemisphere(const Sobol2& points, std::uint32_t first, std::size_t coun
   basis_of(normal, a, b);
   for (std::size_t done = 0; done < count; done += kChunk) {
     const std::size_t n = std::min(kChunk, count - done), whole = (n + 15) / 16 * 16;
-    // One step of many points after the other: each waits long for what is before it.
-    std::uint32_t places[kChunk], u[kChunk], v[kChunk];
-    for (std::uint32_t i = 0; i < whole; ++i)
-      places[i] = points.order(first + static_cast<std::uint32_t>(done) + i);
-    for (std::uint32_t i = 0; i < whole; ++i) u[i] = points.first_bits(places[i]);
-    for (std::uint32_t i = 0; i < whole; ++i) v[i] = points.second_bits(places[i]);
+    alignas(64) std::uint32_t u[kChunk], v[kChunk];
+    find_bits(PointsOfOne(points, first + static_cast<std::uint32_t>(done)), whole, u, v);
     R x[kChunk], y[kChunk], z[kChunk];
     for (std::size_t i = 0; i < whole; ++i) {
       // From -1 to 1, the middles of 2^24 intervals: never 0.

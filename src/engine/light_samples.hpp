@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "engine/engine.hpp"
+#include "engine/sobol_lanes.hpp"
 #include "math/double_lanes.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -19,10 +20,8 @@ struct SquarePoints {
   alignas(64) double u[kSampleChunk], v[kSampleChunk];
 
   ZRAKA_INLINE SquarePoints(const SampleKeys& keys, std::size_t first) {
-    std::uint32_t a[kSampleChunk], b[kSampleChunk];
-    for (std::size_t i = 0; i < kSampleChunk; ++i)
-      Sobol2(keys.shuffle[first + i], keys.u[first + i], keys.v[first + i])
-          .find_bits(keys.number[first + i], a[i], b[i]);
+    alignas(64) std::uint32_t a[kSampleChunk], b[kSampleChunk];
+    find_bits(PointsOfEach(keys, first), kSampleChunk, a, b);
     for (std::size_t i = 0; i < kSampleChunk; ++i) u[i] = unit(a[i]), v[i] = unit(b[i]);
   }
 

@@ -2,12 +2,12 @@
 // What the general engine asks of one instruction set. CMake compiles this file once for each, like
 // engine/kernel.cpp.
 #include "engine/coefficients.hpp"
+#include "engine/drawn_rays.hpp"
 #include "engine/hemisphere.hpp"
 #include "engine/hits.hpp"
 #include "engine/light_samples.hpp"
 #include "engine/point_shadows.hpp"
 #include "engine/shading.hpp"
-#include "engine/window_rays.hpp"
 
 namespace zraka::ZRAKA_ISA {
 namespace {
@@ -25,9 +25,9 @@ void find_hits(const FrozenScene<Lanes::Real>& scene, Level<Lanes::Real>& level,
 }
 
 void make_rays(const FrozenCamera<Lanes::Real>& camera, const InverseFilter* filter,
-               const SampleKeys& keys, std::size_t n, RayArrays<Lanes::Real>& rays,
+               const SampleRuns& runs, std::size_t n, RayArrays<Lanes::Real>& rays,
                std::uint8_t* negative) {
-  make_window_rays(camera, filter, keys, n, rays, negative);
+  make_window_rays(camera, filter, runs, n, rays, negative);
 }
 
 }  // namespace

@@ -88,42 +88,23 @@ void SampleRays<R>::put_cone(const PicturePoint& point, const CameraRay& ray,
   rays.travelled[index] = R(0);
 }
 
-namespace {
-
-/// Puts a value, or numbers from it on, into `count` places and more: kArrayPadding at a time, which
-/// takes less than to stop where they end. What comes next is put there afterwards.
-template <class T>
-void fill_on(T* to, std::uint32_t count, T value) {
-  for (std::uint32_t s = 0; s < count; s += kArrayPadding)
-    for (std::uint32_t k = 0; k < kArrayPadding; ++k) to[s + k] = value;
-}
-void count_on(std::uint32_t* to, std::uint32_t count, std::uint32_t first) {
-  for (std::uint32_t s = 0; s < count; s += kArrayPadding)
-    for (std::uint32_t k = 0; k < kArrayPadding; ++k) to[s + k] = first + s + k;
-}
-
-}  // namespace
-
 template <class R>
 void SampleRays<R>::add(std::int32_t x, std::int32_t y, std::uint32_t first, std::uint32_t count,
                         Workspace<R>& workspace, SampleBatch& batch, std::int32_t index) const {
   const RayArrays<R>& rays = workspace.levels[0].rays;
   const auto i = static_cast<std::size_t>(index);
-  fill_on(rays.dx + i, count, static_cast<R>(x + in_pixel_));
-  fill_on(rays.dy + i, count, static_cast<R>(y + in_pixel_));
   if (names_samples_)
     for (std::uint32_t s = 0; s < count; ++s) workspace.samples[i + s] = {x, y, first + s};
   if (is_drawn_) {
     const Sobol2 points(hash(sampling_.seed, x, y, kPixelPair));
-    fill_on(batch.shuffle.data() + i, count, points.shuffle);
-    fill_on(batch.u.data() + i, count, points.scramble_u);
-    fill_on(batch.v.data() + i, count, points.scramble_v);
-    count_on(batch.number.data() + i, count, first);
+    batch.runs.push_back({x + in_pixel_, y + in_pixel_, points.shuffle, points.scramble_u,
+                          points.scramble_v, first, count, static_cast<std::uint32_t>(index)});
     return;
   }
   for (std::uint32_t s = 0; s < count; ++s) {
     const FilterOffset at = fixed_offset(first + s);
-    rays.dx[i + s] += static_cast<R>(at.x), rays.dy[i + s] += static_cast<R>(at.y);
+    rays.dx[i + s] = static_cast<R>(x + in_pixel_) + static_cast<R>(at.x);
+    rays.dy[i + s] = static_cast<R>(y + in_pixel_) + static_cast<R>(at.y);
     batch.negative[i + s] = at.negative;
   }
 }
@@ -133,9 +114,10 @@ void SampleRays<R>::make_all(const Services<R>& services, std::int32_t n, Worksp
                              SampleBatch& batch) const {
   RayArrays<R>& rays = workspace.levels[0].rays;
   services.make_window_rays(camera_, is_drawn_ ? &inverse_ : nullptr,
-                            {batch.shuffle.data(), batch.u.data(), batch.v.data(),
-                             batch.number.data()},
+                            {batch.runs.data(), batch.runs.size(), batch.shuffle.data(),
+                             batch.u.data(), batch.v.data(), batch.number.data()},
                             static_cast<std::size_t>(n), rays, batch.negative.data());
+  batch.runs.clear();
   if (!textured_) return;
   for (std::int32_t i = 0; i < n; ++i) {
     const auto d = [&](const R* of) { return static_cast<double>(of[i]); };

@@ -17,6 +17,7 @@ namespace zraka {
 struct SampleBatch {
   std::vector<std::uint32_t> shuffle, u, v, number;
   std::vector<std::uint8_t> negative;
+  std::vector<SampleRun> runs;  ///< where the former are still to come from
   explicit SampleBatch(std::size_t size)
       : shuffle(size + kArrayPadding),
         u(size + kArrayPadding),
