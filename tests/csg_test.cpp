@@ -6,8 +6,10 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <random>
 
+#include "accel/body_surface.hpp"
 #include "probed_scenes.hpp"
 #include "truth/bodies.hpp"
 
@@ -166,6 +168,115 @@ TEST(Csg, IsHitWherePointsBeforeAndBehindAreNotBothInside) {
   }
   EXPECT_GT(hits, rays_asked / 10);
   EXPECT_LE(thin, hits / 200);
+}
+
+/// A CSG body of few members, scaled and moved, among what makes the frame larger than it.
+struct Placed {
+  Scene scene;
+  Inside inside;
+  double size, shift;
+
+  Placed(unsigned seed, double its_size, double its_shift, double far)
+      : size(its_size), shift(its_shift) {
+    scene.materials = {{}};
+    Csg csg;
+    inside = Grower(scene, seed).grow(csg, 1 + seed % 2);
+    scene.transforms.push_back({{size, 0, 0}, {0, size, 0}, {0, 0, size}, {shift, 0, -shift}});
+    scene.csgs.push_back({csg, 0, static_cast<std::uint32_t>(scene.transforms.size())});
+    scene.spheres.push_back({{{shift, 0, -shift - far * size}, 0.1 * size}, 0});
+    scene.camera.eye = {shift, 0, 6 * size - shift};
+  }
+  /// Whether a place of the frame is inside; nothing where that is not certain.
+  std::optional<bool> holds(const Frame& frame, const double (&place)[3]) const {
+    const Vec3 p = frame.world_point({place[0], place[1], place[2]});
+    const Point own{(Real{p.x} - Real{shift}) / Real{size}, Real{p.y} / Real{size},
+                    (Real{p.z} + Real{shift}) / Real{size}};
+    const bool here = inside(own);
+    const Real apart = 1e-8L + 1e-15L * Real{shift} / Real{size};
+    for (const Point& way : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}})
+      if (inside(own + way * apart) != here || inside(own - way * apart) != here) return {};
+    return here;
+  }
+};
+
+/// By all crossings with all members: where a ray first crosses the whole's surface, -1 for never.
+float first_change(const FrozenBodies& bodies, std::int32_t body, const ProbeRay& ray, bool began) {
+  CsgCrossing all[kMostCsgCrossings];
+  const int count = isa_oracle::csg_crossings(
+      bodies, body, {ray.origin[0], ray.origin[1], ray.origin[2]},
+      {ray.direction[0], ray.direction[1], ray.direction[2]}, all, kMostCsgCrossings);
+  for (int k = 0; k < count; ++k)
+    if (all[k].whole != began) return static_cast<float>(all[k].t);
+  return -1;
+}
+
+ProbeRay narrowed(const Point& origin, const Point& direction) {
+  const auto narrow = [](Real v) { return static_cast<double>(static_cast<float>(v)); };
+  return {{narrow(origin.x), narrow(origin.y), narrow(origin.z)},
+          {narrow(direction.x), narrow(direction.y), narrow(direction.z)},
+          1e20};
+}
+/// From everywhere; and where `found` are the hits of such rays, from beside these and along the
+/// surface there.
+std::vector<ProbeRay> rays_at(const Frame& frame, const Placed& placed,
+                              const std::vector<ProbeSurface>& found, Random& random) {
+  std::vector<ProbeRay> rays;
+  for (std::size_t i = 0; i < ray_count(160); ++i) {
+    const Vec3 from = truth::in_cube(random);
+    const double reach = 2 * placed.size;
+    const Vec3 at = frame.point({placed.shift + reach * from.x, reach * from.y,
+                                 reach * from.z - placed.shift});
+    rays.push_back(narrowed(truth::exact(at), truth::exact(truth::on_unit_sphere(random))));
+  }
+  for (const ProbeSurface& hit : found) {
+    if (hit.id != 1) continue;
+    const Point at = truth::exact(hit.point), up = truth::exact(hit.normal);
+    const Point any = truth::exact(truth::on_unit_sphere(random));
+    const Point side = truth::unit(truth::cross(up, any));
+    const Real off = Real{hit.offset} * (hit.inside ? -1 : 1);
+    rays.push_back(narrowed(at + up * off, any));
+    const Real away = Real{placed.size} * Real{frame.scale} * Real{between(0, 2, random)};
+    rays.push_back(narrowed(at + up * off * Real{between(-3, 3, random)} - side * away, side));
+  }
+  return rays;
+}
+
+TEST(Csg, IsHitWhereAllItsCrossingsSayWhateverIsSpared) {
+  std::size_t hits = 0, asked = 0, doubtful = 0;
+  for (unsigned seed = 1; seed <= 120; ++seed) {
+    const double size = seed % 3 == 0 ? 1 : seed % 3 == 1 ? 1e-6 : 1e6;
+    const Placed placed(seed, size, seed % 4 == 3 ? 1e6 * size : 0, seed % 5 == 4 ? 1e5 : 5);
+    const Frozen frozen(placed.scene);
+    const FrozenBodies& bodies = frozen.floats->scene.bodies;
+    Random random(seed);
+    std::vector<ProbeSurface> before;
+    for (int round = 0; round < 2; ++round) {
+      const std::vector<ProbeRay> rays = rays_at(frozen.frame, placed, before, random);
+      for (const LanesProbe& probe : lanes_probes()) {
+        if (probe.isa == Isa::oracle) continue;
+        std::vector<ProbeSurface> found(rays.size());
+        probe.surfaces(&frozen.floats->scene, &frozen.doubles->scene, rays.data(), found.data(),
+                       rays.size());
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+          const auto began = placed.holds(frozen.frame, rays[i].origin);
+          ++asked;
+          if (!began) ++doubtful;
+          if (!began || found[i].id == 0) continue;
+          const float t = first_change(bodies, 0, rays[i], *began);
+          ASSERT_EQ(found[i].id == 1, t > 0) << "seed " << seed << ", ray " << i << " at " << t
+                                             << " by " << name_of(probe.isa);
+          if (!(t > 0)) continue;
+          ++hits;
+          ASSERT_EQ(static_cast<float>(found[i].t), t)
+              << "seed " << seed << ", ray " << i << " by " << name_of(probe.isa);
+          ASSERT_EQ(found[i].inside, *began) << "seed " << seed << ", ray " << i;
+        }
+        before = found;
+      }
+    }
+  }
+  EXPECT_GT(hits, asked / 6);
+  EXPECT_LT(doubtful, asked / 10);
 }
 
 }  // namespace

@@ -7,9 +7,7 @@
 // that nobody asks for.
 #pragma once
 
-#include "accel/body_rays.hpp"
-#include "shapes/bodies/csg.hpp"
-#include "shapes/bodies/slab.hpp"
+#include "accel/csg_sides.hpp"
 
 namespace zraka::ZRAKA_ISA {
 
@@ -74,6 +72,7 @@ class CsgWay {
     const int members = csg_.members();
     Span<F> counts;
     if (whole_alone) counts = {F(0.0), limit};
+    const int last_needed = whole_alone && by_table ? last_that_is_needed() : -1;
     int used = 0;
     for (int i = 0; i < members; ++i) {
       const std::int32_t member = csg_.member(i);
@@ -89,6 +88,8 @@ class CsgWay {
       counts = {begin_, min(end_, limit)};
       misses_ = !any(both(asked, begin_ < counts.out));
       if (misses_) return;
+      if (i == last_needed) settle(bodies, origin, direction, used);
+      if (settled_) return;
     }
     first_[members] = used;
   }
@@ -109,11 +110,15 @@ class CsgWay {
         });
   }
 
+  /// Which rays come into the whole where they hit it, at t.
+  M enters(F t) const { return settled_ ? t == t : inside(t); }
+
   /// The next crossing with any member after t, kNever where there is none.
   F next(F t) const { return next_of(crossing_count(), t); }
 
   /// The first crossing with the whole's surface in front of the origin, before the limit.
   F first_hit() const {
+    if (settled_) return select(asked_, begin_, F(kNever));
     if (!csg_.has_table()) {
       const auto is_inside = [&](F t) { return inside(t); };
       return first_change(crossing_count(), is_inside(F(0.0)), is_inside);
@@ -142,6 +147,30 @@ class CsgWay {
   int crossing_count(int member) const { return first_[member + 1] - first_[member]; }
 
  private:
+  int last_that_is_needed() const {
+    int i = csg_.members() - 1;
+    while (i >= 0 && !csg_needs(csg_.table(), i)) --i;
+    return i;
+  }
+  /// Whether all rays hit the whole where it begins at the earliest: by the crossings that are
+  /// known, `used` of them, and by where that is beside the other members.
+  void settle(const FrozenBodies& bodies, const V3<F>& origin, const V3<F>& direction, int used) {
+    const M may_hit = both(asked_, both(begin_ < limit_, begin_ < end_));
+    M sure = begin_ > F(0.0);
+    typename D::B in = members_at(used, begin_);
+    const PlaceOnRay<F> place(origin, direction, begin_);
+    for (int i = last_that_is_needed() + 1; i < csg_.members(); ++i) {
+      if (any(but_not(may_hit, sure))) return;
+      const Sides<D> sides = sides_of_member<D>(bodies, csg_, i, place);
+      sure = both(sure, either(sides.inside, sides.outside));
+      in = D::unite(in, D::bits_if(sides.inside, std::uint64_t{1} << i));
+    }
+    if (any(but_not(may_hit, both(sure, D::has_bit(csg_.table(), in))))) return;
+    settled_ = true;
+    asked_ = may_hit;
+    for (int i = last_that_is_needed() + 1; i <= csg_.members(); ++i) first_[i] = used;
+  }
+
   M in_member(int i, F t) const {
     M in = F(0.0) > F(0.0);
     for (int k = first_[i]; k + 1 < first_[i + 1]; k += 2)
@@ -229,7 +258,7 @@ class CsgWay {
   M asked_;
   F limit_;
   F begin_{0.0}, end_{kNever};  ///< in front of the origin the whole is nowhere else
-  bool misses_ = false;
+  bool misses_ = false, settled_ = false;
   int first_[kMostCsgCrossings + 1];
   F at_[kMostCsgCrossings];
   std::uint64_t bit_[kMostCsgCrossings / 2];  ///< a pair's member, where there is a table

@@ -36,28 +36,41 @@ ZRAKA_INLINE std::uint32_t lanes_with(std::uint32_t lanes, const Condition& cond
   return with;
 }
 
+/// The nearest hits of lanes of a query's part, all of one CSG body.
+template <class L>
+void hit_csg(const FrozenBodies& bodies, std::int32_t body, const Meet& meet, std::size_t c,
+             std::uint32_t mine, BodyQuery<L>& query) {
+  using D = DoublesOf<L>;
+  using F = typename D::F;
+  const V3<F> origin = load_doubles<L>(query.origin, c);
+  const V3<F> direction = load_doubles<L>(query.direction, c);
+  // What is found in float is compared with the limit later: here it is only roughly known.
+  const F limit = D::load_reals(query.limit + c) * F(1.0 + 0x1p-20);
+  const auto asked = D::from_bits(mine);
+  const auto take = [&](const auto& way) {
+    if (!way.misses()) answer<L>(query, c, mine, way.first_hit());
+  };
+  if (meet.possible)
+    take(CsgMeet<D>(bodies, body, meet, origin, direction, asked, limit));
+  else
+    take(CsgWay<D>(bodies, body, origin, direction, asked, limit, true));
+}
+
 /// CSG bodies one after the other: rays are in lanes.
 template <class L>
 void hit_csgs(const FrozenShapes<typename L::Real, Body>& bodies, BodyQuery<L>& query,
               std::uint32_t lanes, bool /*any*/) {
-  using D = DoublesOf<L>;
-  using F = typename D::F;
-  each_part<L>(lanes, [&](std::size_t c, std::uint32_t asked) {
-    const V3<F> origin = load_doubles<L>(query.origin, c);
-    const V3<F> direction = load_doubles<L>(query.direction, c);
-    while (asked != 0) {
-      const std::int32_t body = query.body[c + static_cast<std::size_t>(__builtin_ctz(asked))];
-      const std::uint32_t mine =
-          query.one_body
-              ? asked
-              : lanes_with(asked, [&](std::size_t i) { return query.body[c + i] == body; });
-      // What is found in float is compared with the limit later: here it is only roughly known.
-      const F limit = D::load_reals(query.limit + c) * F(1.0 + 0x1p-20);
-      const CsgWay<D> way(bodies, body, origin, direction, D::from_bits(mine), limit, true);
-      if (!way.misses()) answer<L>(query, c, mine, way.first_hit());
-      asked &= ~mine;
-    }
-  });
+  while (lanes != 0) {
+    const std::int32_t body = query.body[__builtin_ctz(lanes)];
+    const std::uint32_t mine =
+        query.one_body ? lanes
+                       : lanes_with(lanes, [&](std::size_t i) { return query.body[i] == body; });
+    const Meet meet(bodies, body);
+    each_part<L>(mine, [&](std::size_t c, std::uint32_t asked) {
+      hit_csg<L>(bodies, body, meet, c, asked, query);
+    });
+    lanes &= ~mine;
+  }
 }
 
 /// Groups one after the other: rays are in lanes, in the group's own frame.

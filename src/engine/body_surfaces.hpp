@@ -4,7 +4,7 @@
 #pragma once
 
 #include "accel/body_surface.hpp"
-#include "accel/csg.hpp"
+#include "accel/csg_meet.hpp"
 #include "accel/group_rays.hpp"
 #include "engine/hit_path.hpp"
 #include "engine/surfaces.hpp"
@@ -268,46 +268,66 @@ inline constexpr MemberNormal<D> kMemberNormals[kBodyTypes] = {
 #undef ZRAKA_FUNCTION
 };
 
-/// Of lanes that hit one CSG body: the surface is that of the first member that is crossed there.
-/// Sets `member` to it.
+/// Where lanes of rays hit a CSG body, by their way through it: the surface is that of the first
+/// member that is crossed there. Sets `member` to it.
+template <class L, class Way>
+ZRAKA_INLINE void surface_of_way(const FrozenBodies& bodies, const Way& way, std::size_t c,
+                                 std::uint32_t asked, const BodyQuery<L>& query,
+                                 SurfaceMemory<L>& out, std::int32_t (&member)[L::kWidth]) {
+  using D = DoublesOf<L>;
+  using F = typename D::F;
+  if (way.misses()) return;
+  const V3<F> origin = load_doubles<L>(query.origin, c);
+  const V3<F> direction = load_doubles<L>(query.direction, c);
+  const F t = way.first_hit();
+  V3<F> normal{F(0.0), F(1.0), F(0.0)};
+  F unit(1.0);
+  std::uint32_t left = asked;
+  for (int i = 0; i < way.members() && left != 0; ++i) {
+    const std::uint32_t crossed = left & bits_of_doubles(way.crosses(i, t));
+    if (crossed == 0) continue;
+    left &= ~crossed;
+    const std::int32_t found = way.member(i);
+    F its_unit;
+    const V3<F> its = kMemberNormals<D>[bodies.type[found]](bodies.numbers + bodies.start[found],
+                                                            origin, direction, t, its_unit);
+    const auto mine = D::from_bits(crossed);
+    normal = {select(mine, its.x, normal.x), select(mine, its.y, normal.y),
+              select(mine, its.z, normal.z)};
+    unit = select(mine, its_unit, unit);
+    for (std::uint32_t lane = crossed; lane != 0; lane &= lane - 1)
+      member[c + static_cast<std::size_t>(__builtin_ctz(lane))] = found;
+  }
+  // Outside is where the whole is not, whichever way the member's own surface looks.
+  const auto enters = way.enters(t), leaves = but_not(t == t, enters);
+  const auto away = dot(normal, direction) > F(0.0);
+  const auto turned = either(both(enters, away), but_not(leaves, away));
+  out.put(c, asked, origin + direction * t,
+          {select(turned, -normal.x, normal.x), select(turned, -normal.y, normal.y),
+           select(turned, -normal.z, normal.z)},
+          unit, leaves);
+}
+
+/// Of lanes that hit one CSG body.
 template <class L>
-void surfaces_of_csg(const FrozenShapes<typename L::Real, Body>& bodies, std::int32_t body,
-                     std::uint32_t lanes, const BodyQuery<L>& query, SurfaceMemory<L>& out,
+void surfaces_of_csg(const FrozenBodies& bodies, std::int32_t body, std::uint32_t lanes,
+                     const BodyQuery<L>& query, SurfaceMemory<L>& out,
                      std::int32_t (&member)[L::kWidth]) {
   using D = DoublesOf<L>;
   using F = typename D::F;
+  const Meet meet(bodies, body);
   each_part<L>(lanes, [&](std::size_t c, std::uint32_t asked) {
     const V3<F> origin = load_doubles<L>(query.origin, c);
     const V3<F> direction = load_doubles<L>(query.direction, c);
-    const CsgWay<D> way(bodies, body, origin, direction, D::from_bits(asked), F(kNever), true);
-    if (way.misses()) return;
-    const F t = way.first_hit();
-    V3<F> normal{F(0.0), F(1.0), F(0.0)};
-    F unit(1.0);
-    std::uint32_t left = asked;
-    for (int i = 0; i < way.members() && left != 0; ++i) {
-      const std::uint32_t crossed = left & bits_of_doubles(way.crosses(i, t));
-      if (crossed == 0) continue;
-      left &= ~crossed;
-      const std::int32_t found = way.member(i);
-      F its_unit;
-      const V3<F> its = kMemberNormals<D>[bodies.type[found]](
-          bodies.numbers + bodies.start[found], origin, direction, t, its_unit);
-      const auto mine = D::from_bits(crossed);
-      normal = {select(mine, its.x, normal.x), select(mine, its.y, normal.y),
-                select(mine, its.z, normal.z)};
-      unit = select(mine, its_unit, unit);
-      for (std::uint32_t lane = crossed; lane != 0; lane &= lane - 1)
-        member[c + static_cast<std::size_t>(__builtin_ctz(lane))] = found;
-    }
-    // Outside is where the whole is not, whichever way the member's own surface looks.
-    const auto enters = way.inside(t), leaves = but_not(t == t, enters);
-    const auto away = dot(normal, direction) > F(0.0);
-    const auto turned = either(both(enters, away), but_not(leaves, away));
-    out.put(c, asked, origin + direction * t,
-            {select(turned, -normal.x, normal.x), select(turned, -normal.y, normal.y),
-             select(turned, -normal.z, normal.z)},
-            unit, leaves);
+    const auto mine = D::from_bits(asked);
+    if (meet.possible)
+      surface_of_way<L>(bodies,
+                        CsgMeet<D>(bodies, body, meet, origin, direction, mine, F(kNever)), c,
+                        asked, query, out, member);
+    else
+      surface_of_way<L>(bodies,
+                        CsgWay<D>(bodies, body, origin, direction, mine, F(kNever), true), c,
+                        asked, query, out, member);
   });
 }
 

@@ -56,6 +56,7 @@ class Filling {
           },
           open.member->body);
       store_.numbers[open.place] = body;
+      put_reach(store_.numbers.data() + store_.start.back(), store_.numbers.data() + open.reach);
     }
   }
 
@@ -86,8 +87,15 @@ class Filling {
     const CsgMember* member;
     Transform to_world;
     std::uint32_t material;
-    std::size_t place;
+    std::size_t place, reach;
   };
+  /// CsgNumbers::stretch() and CsgNumbers::shift() of the member of these numbers.
+  static void put_reach(const double* member, double* out) {
+    const auto size = [&](int k) { return std::fabs(member[k]); };
+    const auto row = [&](int k) { return size(k) + size(k + 1) + size(k + 2); };
+    out[0] = std::max({row(kBodyMatrix), row(kBodyMatrix + 3), row(kBodyMatrix + 6)});
+    out[1] = out[0] * std::max({size(kBodyCenter), size(kBodyCenter + 1), size(kBodyCenter + 2)});
+  }
   void put(const Csg& csg, const Transform& to_world) {
     std::vector<Open> members;
     std::vector<double> steps;
@@ -97,12 +105,15 @@ class Filling {
     const int count = static_cast<int>(members.size()), length = static_cast<int>(steps.size());
     store_.numbers.push_back(std::bit_cast<double>(
         count <= kMostCsgTableMembers ? csg_table(steps.data(), length, count) : std::uint64_t{0}));
-    for (Open& member : members) {
-      member.place = store_.numbers.size();
-      store_.numbers.push_back(0);
-      open_.push_back(member);
+    const std::size_t first = store_.numbers.size();
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      members[i].place = first + i;
+      members[i].reach = first + members.size() + steps.size() + 2 * i;
+      open_.push_back(members[i]);
     }
+    store_.numbers.resize(first + members.size());
     store_.numbers.insert(store_.numbers.end(), steps.begin(), steps.end());
+    store_.numbers.resize(store_.numbers.size() + 2 * members.size());
   }
   /// Operands before operations; members of members have their material where they have none.
   void list(const Csg& csg, const Transform& to_world, std::uint32_t material,
@@ -115,7 +126,7 @@ class Filling {
         list(*inner, all, own, members, steps);
       } else {
         steps.push_back(static_cast<double>(members.size()));
-        members.push_back({&member, all, own, 0});
+        members.push_back({&member, all, own, 0, 0});
       }
     }
     steps.push_back(csg_step(csg.operation, static_cast<int>(csg.of.size())));

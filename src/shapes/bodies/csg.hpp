@@ -69,7 +69,8 @@ inline std::uint64_t csg_table(const double* steps, int length, int members) {
 
 /// A CSG body's numbers: how many members it has that are no CSG themselves, how long its
 /// expression is, and the bits of csg_table() where there are few; then the members, as bodies;
-/// then the expression, operands before operations (an index of a member, or csg_step()).
+/// then the expression, operands before operations (an index of a member, or csg_step()); then two
+/// numbers of each member that say how much its own space loses to rounding.
 struct CsgNumbers {
   const double* row;
   int members() const { return static_cast<int>(row[0]); }
@@ -78,6 +79,10 @@ struct CsgNumbers {
   std::uint64_t table() const { return __builtin_bit_cast(std::uint64_t, row[2]); }
   std::int32_t member(int i) const { return static_cast<std::int32_t>(row[3 + i]); }
   int step(int i) const { return static_cast<int>(row[3 + members() + i]); }
+  /// How much longer a vector may be in a member's own space, by their largest coordinates.
+  double stretch(int i) const { return row[3 + members() + length() + 2 * i]; }
+  /// The largest coordinate of a member's middle, times that.
+  double shift(int i) const { return row[3 + members() + length() + 2 * i + 1]; }
 };
 
 /// Whether what a table says is nothing outside of a member.
