@@ -11,8 +11,8 @@
 
 namespace zraka::ZRAKA_ISA {
 
-/// What each sample of the runs is drawn from, and its pixel's place. Puts kArrayPadding of them at a
-/// time, which takes less than to stop where a run ends: what comes next is put there afterwards.
+/// What each sample of the runs is drawn from, and its pixel's place. Puts kArrayPadding of them at
+/// a time, which takes less than to stop where a run ends: what comes next is put there afterwards.
 template <class R>
 ZRAKA_INLINE void spread_runs(const SampleRuns& of, R* columns, R* rows) {
   const SampleRuns all = of;

@@ -186,8 +186,8 @@ struct SampleKeys {
   const std::uint32_t *shuffle, *u, *v, *number;
 };
 
-/// Samples of one pixel, `count` of them from number `first` of its sequence on, for the places from
-/// `begin` on.
+/// Samples of one pixel, `count` of them from number `first` of its sequence on, for the places
+/// from `begin` on.
 struct SampleRun {
   double column, row;  ///< of the pixel
   std::uint32_t shuffle, u, v, first, count, begin;

@@ -7,8 +7,8 @@
 
 namespace zraka::ZRAKA_ISA {
 
-/// With fewer rays of a point, to ask for the point first takes longer than it saves: among spheres,
-/// and among triangles, which are fewer in their leaves.
+/// With fewer rays of a point, to ask for the point first takes longer than it saves: among
+/// spheres, and among triangles, which are fewer in their leaves.
 inline constexpr std::size_t kFewFromPoint = 8, kFewAmongTriangles = 32;
 
 /// From how many rays of a point on these are asked for the point; none where the scene has no
