@@ -19,21 +19,22 @@ ZRAKA_INLINE F largest(const V3<F>& v) {
 /// that is known to within e, no more than 1/4, is on its side where this is beyond 16·e.
 template <class F, class Row>
 ZRAKA_INLINE F level_of_body(std::uint8_t type, const Row& row, const V3<F>& p) {
-  const F number = type == kTypeEllipsoid ? F(0.0) : row(kBodyNumbers);
   switch (type) {
     case kTypeBox: {
+      const F round = row(kBodyNumbers);
       const F level = largest(p) - F(1.0);  // what is outside of round edges may be inside of it
-      return select(number > F(0.0), max(level, F(0.0)), level);
+      return select(round > F(0.0), max(level, F(0.0)), level);
     }
     case kTypeEllipsoid:
       return dot(p, p) - F(1.0);
     case kTypeFrustum: {
-      const F radius = number + row(kBodyNumbers + 1) * p.y;
+      const F radius = row(kBodyNumbers) + row(kBodyNumbers + 1) * p.y;
       return max(abs(p.y) - F(1.0), p.x * p.x + p.z * p.z - radius * radius);
     }
     case kTypeTorus: {
+      const F tube = row(kBodyNumbers);
       const F out = sqrt(p.x * p.x + p.z * p.z) - F(1.0);
-      return select(number < F(1.0), out * out + p.y * p.y - number * number, F(0.0));
+      return select(tube < F(1.0), out * out + p.y * p.y - tube * tube, F(0.0));
     }
     default:
       return F(0.0);
