@@ -252,6 +252,8 @@ TEST(Writers, DispersePovraysGlassAsItsFormulaSays) {
   const auto cauchy = [](double nm) { return 1.5 + 1e4 / (nm * nm) + 2e8 / std::pow(nm, 4); };
   EXPECT_NEAR(theirs(587.5618), cauchy(587.5618), 1e-6);
   EXPECT_NEAR(theirs(486.1327) / theirs(656.2725), cauchy(486.1327) / cauchy(656.2725), 1e-6);
+  scene.defaults.wavelengths = 1;  // which switches it off
+  EXPECT_EQ(text_of(scene, "povray").find("dispersion"), std::string::npos);
 }
 
 TEST(Writers, FadePovraysLightsAsTheirsFade) {

@@ -61,7 +61,7 @@ void PovrayWriter::write_interior(const Material& m) {
   if (!(m.refraction.most() > 0)) return;
   double ior = m.ior;
   std::string dispersion;
-  if (m.dispersion.kind != Dispersion::Kind::none) {
+  if (m.dispersion.kind != Dispersion::Kind::none && scene_.defaults.wavelengths > 1) {
     // POV-Ray's index at λ is ior·dispersion^((0.555 µm - λ)/0.35 µm): equal at the lines F and C as
     // a ratio, and at d.
     constexpr double kMiddle = 0.555, kWidth = 0.35;
@@ -69,7 +69,7 @@ void PovrayWriter::write_interior(const Material& m) {
     const double ratio = std::pow(index(kLineF) / index(kLineC), kWidth / (kLineC - kLineF));
     ior = index(kLineD) * std::pow(ratio, (kLineD - kMiddle) / kWidth);
     dispersion = fmt::format("dispersion {} dispersion_samples {} ", ratio,
-                             std::max(scene_.defaults.wavelengths, 2));
+                             scene_.defaults.wavelengths);
   }
   put(" interior {{ ior {} {}", ior, dispersion);
   // From a power of 1000 on it fades by exp(-(1 - color)·depth/distance).
