@@ -4,15 +4,9 @@
 #pragma once
 
 #include "accel/body_rays.hpp"
+#include "accel/called.hpp"
 
 namespace zraka::ZRAKA_ISA {
-
-/// The nearest hit of each active ray in a group; which of the active rays hit anything nearer than
-/// their t. Defined with the engine's kernel, where all of the traversal is.
-template <class L>
-void nearest_in_group(const FrozenScene<typename L::Real>& group, RayGroup<L>& rays);
-template <class L>
-std::uint32_t blocked_in_group(const FrozenScene<typename L::Real>& group, RayGroup<L>& rays);
 
 /// Those lanes of a query that look at one instance, in its group's frame. A ray starts there a
 /// little before it comes near the group, so that floats are spent on the group and not on the way
@@ -65,7 +59,7 @@ class GroupRays {
 
   void answer_nearest(BodyQuery<L>& query, std::uint32_t lanes) const {
     RayGroup<L> rays = rays_;
-    nearest_in_group<L>(*group_, rays);
+    find_nearest_called<L>(*group_, rays);
     alignas(64) R t[L::kWidth];
     alignas(64) std::int32_t slot[L::kWidth];
     L::store(rays.ray[0].t, t);
@@ -79,7 +73,8 @@ class GroupRays {
   /// Half the limit is as good as any distance.
   void answer_any(BodyQuery<L>& query, std::uint32_t lanes) const {
     RayGroup<L> rays = rays_;
-    const std::uint32_t blocked = blocked_in_group<L>(*group_, rays);
+    LastBlocker last;
+    const std::uint32_t blocked = find_blocked_called<L>(*group_, last, rays);
     for (; lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
       query.t[lane] = (blocked >> lane & 1) != 0 ? query.limit[lane] * R(0.5f) : R(-1);

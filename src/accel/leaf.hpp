@@ -161,12 +161,6 @@ ZRAKA_INLINE bool nearest_of_pairs(const FrozenScene<R>& scene, const Bundle<L>&
   return changed;
 }
 
-/// The shapes that blocked a ray last, as a leaf: what throws a shadow on one point mostly throws
-/// it on its neighbours too.
-struct LastBlocker {
-  std::int32_t child = 0, leaf = 0;
-};
-
 /// A queue's first pairs hit, up to a register of them: the rays that are blocked nearer than
 /// their t, a bit each.
 template <class L, class Shape, class R = typename L::Real>

@@ -48,6 +48,12 @@ struct RayGroup {
   }
 };
 
+/// The shapes that blocked a ray last, as a leaf: what throws a shadow on one point mostly throws
+/// it on its neighbours too.
+struct LastBlocker {
+  std::int32_t child = 0, leaf = 0;
+};
+
 /// A register's bits among those of its group.
 template <class L>
 ZRAKA_INLINE std::uint32_t group_bits(typename L::M lanes, std::size_t r) {

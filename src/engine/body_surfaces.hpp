@@ -358,7 +358,7 @@ void surfaces_of_instance(const FrozenShapes<typename L::Real, Body>& bodies, st
   using R = typename L::Real;
   const GroupRays<L> group_rays(bodies, body, query, lanes, false);
   RayGroup<L> rays = group_rays.rays();
-  nearest_in_group<L>(group_rays.group(), rays);
+  find_nearest_called<L>(group_rays.group(), rays);
   const RayLanes<L>& ray = rays.ray[0];
   HitPath inner[L::kWidth];
   const SurfaceMemory<L> found(surfaces_at<L>(group_rays.group(), ray.slot, ray.origin,

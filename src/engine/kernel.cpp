@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine for one instruction set. CMake compiles this file once for each, with ZRAKA_ISA naming
 // the namespace, the compiler's flags for the set, and ZRAKA_WIDE where Highway's lanes are used.
-#include "accel/group_rays.hpp"
+#include "accel/called.hpp"
 #include "engine/trace_tile.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -12,16 +12,15 @@ using Lanes = WideLanes;
 using Lanes = ScalarLanes<double>;
 #endif
 
-// Instances come back here from engine/bodies.cpp, level by level of groups.
+// accel/called.hpp; instances come back here from engine/bodies.cpp, level by level of groups.
 template <>
-void nearest_in_group<Lanes>(const FrozenScene<Lanes::Real>& group, RayGroup<Lanes>& rays) {
-  find_nearest<Lanes>(group, rays);
+void find_nearest_called<Lanes>(const FrozenScene<Lanes::Real>& scene, RayGroup<Lanes>& rays) {
+  find_nearest<Lanes>(scene, rays);
 }
 template <>
-std::uint32_t blocked_in_group<Lanes>(const FrozenScene<Lanes::Real>& group,
-                                      RayGroup<Lanes>& rays) {
-  LastBlocker last;
-  return find_blocked<Lanes>(group, last, rays);
+std::uint32_t find_blocked_called<Lanes>(const FrozenScene<Lanes::Real>& scene, LastBlocker& last,
+                                         RayGroup<Lanes>& rays) {
+  return find_blocked<Lanes>(scene, last, rays);
 }
 
 // engine/once.hpp

@@ -8,6 +8,7 @@
 #include "engine/light_samples.hpp"
 #include "engine/point_shadows.hpp"
 #include "engine/shading.hpp"
+#include "engine/steps.hpp"
 
 namespace zraka::ZRAKA_ISA {
 namespace {
@@ -20,8 +21,10 @@ using Lanes = ScalarLanes<double>;
 
 void find_hits(const FrozenScene<Lanes::Real>& scene, Level<Lanes::Real>& level,
                Scratch<Lanes::Real>& scratch) {
-  trace_nearest<Lanes>(scene, level, scratch);
-  find_surfaces<Lanes>(scene, level, scratch);
+  // As the lean engine calls them, so that they are compiled for both.
+  const Steps steps;
+  trace_nearest<Lanes>(scene, level, scratch, steps);
+  find_surfaces<Lanes>(scene, level, scratch, steps);
 }
 
 void make_rays(const FrozenCamera<Lanes::Real>& camera, const InverseFilter* filter,

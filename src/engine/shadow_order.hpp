@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "accel/traverse.hpp"
+#include "accel/called.hpp"
 #include "engine/engine.hpp"
 #include "engine/indices.hpp"
 
@@ -66,7 +66,7 @@ void find_blocked_in_order(const FrozenScene<R>& scene, std::size_t n, Scratch<R
               L::gather(scratch.sdistance, ray),
               I(-1)};
     });
-    const std::uint32_t blocked = find_blocked<L>(scene, last, rays);
+    const std::uint32_t blocked = find_blocked_called<L>(scene, last, rays);
     const std::size_t count = std::min(n - first, RayGroup<L>::kRays);
     for (std::size_t i = 0; i < count; ++i)
       scratch.blocked[scratch.shadow_order[first + i]] =
@@ -94,7 +94,7 @@ void find_blocked_as_listed(const FrozenScene<R>& scene, std::size_t n, Scratch<
               L::load(scratch.sdistance + i),
               I(-1)};
     });
-    const std::uint32_t blocked = find_blocked<L>(scene, last, rays);
+    const std::uint32_t blocked = find_blocked_called<L>(scene, last, rays);
     const std::size_t count = std::min(n - first, RayGroup<L>::kRays);
     for (std::size_t i = 0; i < count; ++i)
       scratch.blocked[first + i] = static_cast<std::int32_t>(blocked >> i & 1);
@@ -118,7 +118,7 @@ std::size_t drop_blocked(const FrozenScene<typename L::Real>& scene, std::size_t
               hit.load(scratch.sdistance),
               I(-1)};
     });
-    const std::uint32_t blocked = find_blocked<L>(scene, last, rays);
+    const std::uint32_t blocked = find_blocked_called<L>(scene, last, rays);
     for (std::size_t r = 0; r < kRegisters<L> && first + r * L::kWidth < n; ++r) {
       const std::size_t i = first + r * L::kWidth;
       const auto exists = L::first(n - i), by = both(lanes_of<L>(blocked, r), exists);
