@@ -141,11 +141,11 @@ void PovrayWriter::write_all(const std::vector<Object<Shape>>& objects) {
 /// The triangles of each material as a mesh, which has a bounding hierarchy of its own, and an
 /// inside that rays come into and out of.
 void PovrayWriter::write_meshes(const ShapeLists& shapes) {
-  struct Mesh {
+  struct Faces {
     std::vector<const Triangle*> flat;
     std::vector<const SmoothTriangle*> smooth;
   };
-  std::map<std::uint32_t, Mesh> of;
+  std::map<std::uint32_t, Faces> of;
   for (const Object<Triangle>& object : shapes.triangles)
     of[object.material].flat.push_back(&object.shape);
   for (const Object<SmoothTriangle>& object : shapes.smooth_triangles)

@@ -13,10 +13,6 @@ namespace {
 
 constexpr double kPerRadian = 180 / 3.14159265358979323846;
 
-bool is_zero(const Vec3& v) {
-  return v == Vec3{};
-}
-
 }  // namespace
 
 bool TachyonReader::read_resolution() {

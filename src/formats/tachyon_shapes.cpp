@@ -6,15 +6,9 @@
 #include <cmath>
 
 #include "formats/tachyon_reader.hpp"
+#include "formats/vectors.hpp"
 
 namespace zraka {
-namespace {
-
-bool is_zero(const Vec3& v) {
-  return v == Vec3{};
-}
-
-}  // namespace
 
 void TachyonReader::add_sphere(const Vec3& center, double radius, std::uint32_t material,
                                const char* at) {

@@ -16,6 +16,9 @@ inline Vec3 operator-(const Vec3& a, const Vec3& b) {
 inline Vec3 operator*(const Vec3& a, double s) {
   return {a.x * s, a.y * s, a.z * s};
 }
+inline bool is_zero(const Vec3& a) {
+  return a == Vec3{};
+}
 inline double dot(const Vec3& a, const Vec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
