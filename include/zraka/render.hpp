@@ -59,7 +59,7 @@ ZRAKA_API std::string_view name_of(ProfileName name);
 ZRAKA_API std::optional<ProfileName> profile_named(std::string_view name);
 
 /// Ways to compute, all with the same bits; `oracle` computes in double, one ray at a time, for
-/// tests.
+/// tests: only builds that have these have it, and others fail where it is asked for.
 enum class Isa { avx512, avx2, portable, oracle };
 ZRAKA_API std::string_view name_of(Isa isa);
 /// By its name in any case, with hyphens or without.

@@ -9,6 +9,7 @@
 #include "engine/shape_spaces.hpp"
 #include "engine/waiting_hits.hpp"
 #include "scene/bounds_of.hpp"
+#include "scene/reals.hpp"
 #include "shapes/primitive_uv.hpp"
 #include "textures/texture_set.hpp"
 
@@ -29,8 +30,8 @@ V3<double> three(const R* x, const R* y, const R* z, std::size_t i) {
 /// What is known of a hit besides what light needs: in the frame of the group that its shape
 /// stands in.
 struct Found {
-  BodySurface surface{};      ///< its tangents in that frame
-  V3<double> point{};         ///< in that frame
+  BodySurface surface{};  ///< its tangents in that frame
+  V3<double> point{};     ///< in that frame
 };
 
 /// What of it somebody wants to know, beside the transform.
@@ -41,8 +42,8 @@ struct Wanted {
 /// The tables of one kind of primitive: where in it a slot is, and what it is there.
 template <class R, class Shape>
 bool find_primitive(const FrozenScene<R>& scene, const FrozenTextures& textures,
-                    const FrozenShapes<R, Shape>& shapes, std::int32_t slot,
-                    std::int32_t transform, Found& found) {
+                    const FrozenShapes<R, Shape>& shapes, std::int32_t slot, std::int32_t transform,
+                    Found& found) {
   const std::int32_t at = slot - shapes.first_slot;
   if (at < 0 || at >= shapes.count) return false;
   const std::int32_t index = shapes.id[at] - shapes.first_id;
@@ -60,16 +61,17 @@ bool find_primitive(const FrozenScene<R>& scene, const FrozenTextures& textures,
   }
   if (mapping.uvs != nullptr) context.uvs = mapping.uvs + index;
   const WholeTriangle* const end = mapping.wholes + mapping.whole_count;
-  const WholeTriangle* const whole = std::lower_bound(
-      mapping.wholes, end, index, [](const WholeTriangle& t, std::int32_t i) { return t.index < i; });
+  const WholeTriangle* const whole =
+      std::lower_bound(mapping.wholes, end, index,
+                       [](const WholeTriangle& t, std::int32_t i) { return t.index < i; });
   if (whole != end && whole->index == index) context.whole_corners = whole->corners;
   found.surface = uv_of(static_cast<const Shape*>(nullptr), numbers, found.point, context);
   return true;
 }
 
 template <class R>
-void find_on_shape(const FrozenScene<R>& scene, const FrozenTextures& textures,
-                   const HitPath& path, std::int32_t transform, Found& found) {
+void find_on_shape(const FrozenScene<R>& scene, const FrozenTextures& textures, const HitPath& path,
+                   std::int32_t transform, Found& found) {
 #define ZRAKA_FIND(Type, plural) \
   if (find_primitive(scene, textures, scene.plural, path.slot, transform, found)) return;
   ZRAKA_INLINED_KINDS(ZRAKA_FIND)
@@ -83,7 +85,7 @@ struct Seen {
   /// From the shape's space to the engine's frame: gradients there as they are here.
   const Transform& to_shape;
   V3<double> along_u{}, along_v{};  ///< in the engine's frame
-  double unit = 1;              ///< of the shape's space, in the engine's frame
+  double unit = 1;                  ///< of the shape's space, in the engine's frame
 };
 
 /// The gradients of u and v over a surface, from its tangents and its normal.
@@ -133,7 +135,7 @@ Seen look(ShapeSpaces<R>& ways, LastShape<R>& shape, const FrozenTextures& textu
   ways.follow(path);
   shape.follow(ways.home(), path);
   Seen seen{to, ways.to_shape(shape.transform())};  // what nobody asks for stays as it is
-  if (wanted.surface) {  // many textures need a point alone
+  if (wanted.surface) {                             // many textures need a point alone
     // To the scene's own frame nothing moves, and no zero is left below 0.
     const Vec3 at = path.group == nullptr ? Vec3{point.x + 0.0, point.y + 0.0, point.z + 0.0}
                                           : moved(vec3_of(point), ways.to_group());
@@ -250,17 +252,16 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
       normal = three(scratch.nx, scratch.ny, scratch.nz, h);
       normal = normal * (1 / length(normal));
     }
-    const Seen seen = look(ways, last, textures, scratch.paths[h], point, normal, view, width, wanted,
-                     scratch.explained ? scratch.points[h] : own);
+    const Seen seen = look(ways, last, textures, scratch.paths[h], point, normal, view, width,
+                           wanted, scratch.explained ? scratch.points[h] : own);
     scratch.cones[h] = {
         width, wanted.surface || wanted.curvature ? last.curvature() * ways.group_scale() : 0};
     seen.at.distance = (static_cast<double>(level.rays.travelled[begin + ray]) +
-                               static_cast<double>(scratch.t[ray])) /
-                              scene.frame_scale;
+                        static_cast<double>(scratch.t[ray])) /
+                       scene.frame_scale;
     known.placed = PreparedTexture::kNone;
     for (std::int32_t i = 0; i < its.use_count; ++i)
-      put(its.uses[i].coefficient,
-          textures.set->value(its.uses[i].texture, seen.at, known), row);
+      put(its.uses[i].coefficient, textures.set->value(its.uses[i].texture, seen.at, known), row);
     if (!bends) continue;
     if (scratch.smooth_x != nullptr) {
       scratch.smooth_x[h] = scratch.nx[h];
@@ -316,8 +317,8 @@ void start_cones(const FrozenCamera<R>& camera, Level<R>& level) {
   const double area = length(normal), away = std::fabs(dot(first, normal)) / area;
   const double spread = std::sqrt(area) / away;
   for (std::int32_t i = 0; i < level.ray_count; ++i) {
-    const V3<double> d = three(level.rays.dx, level.rays.dy, level.rays.dz,
-                               static_cast<std::size_t>(i));
+    const V3<double> d =
+        three(level.rays.dx, level.rays.dy, level.rays.dz, static_cast<std::size_t>(i));
     const double cosine = std::fabs(dot(d, normal)) / area;
     level.rays.width[i] = R(0);
     level.rays.spread[i] = static_cast<R>(spread * cosine * std::sqrt(cosine));
@@ -325,13 +326,12 @@ void start_cones(const FrozenCamera<R>& camera, Level<R>& level) {
   }
 }
 
-template void find_coefficients(const FrozenScene<float>&, const Level<float>&, Scratch<float>&,
-                                ColorHits<float>*);
-template void find_coefficients(const FrozenScene<double>&, const Level<double>&,
-                                Scratch<double>&, ColorHits<double>*);
-template void spread_cones(const Level<float>&, const Scratch<float>&, Level<float>&);
-template void spread_cones(const Level<double>&, const Scratch<double>&, Level<double>&);
-template void start_cones(const FrozenCamera<float>&, Level<float>&);
-template void start_cones(const FrozenCamera<double>&, Level<double>&);
+#define ZRAKA_FOR(R)                                                                   \
+  template void find_coefficients(const FrozenScene<R>&, const Level<R>&, Scratch<R>&, \
+                                  ColorHits<R>*);                                      \
+  template void spread_cones(const Level<R>&, const Scratch<R>&, Level<R>&);           \
+  template void start_cones(const FrozenCamera<R>&, Level<R>&);
+ZRAKA_FOR_REALS(ZRAKA_FOR)
+#undef ZRAKA_FOR
 
 }  // namespace zraka

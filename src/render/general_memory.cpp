@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "scene/reals.hpp"
+
 namespace zraka {
 
 template <class R>
@@ -36,14 +38,12 @@ GeneralMemory<R>::GeneralMemory(std::int32_t batch, std::int32_t shadow_rays,
   for (std::vector<double>* numbers : {&workspace_.exponents, &workspace_.powers})
     numbers->resize(3 * size + kArrayPadding);
   const FrozenBodies& bodies = scene.bodies;
-  workspace_.has_groups =
-      std::any_of(bodies.type, bodies.type + bodies.count,
-                  [](std::int32_t type) { return type == kTypeInstance; });
-  workspace_.draws = scene.optics->occlusion_samples > 0 ||
-                     std::any_of(scene.optics->lights, scene.optics->lights + scene.light_count,
-                                 [](const OpticalLight& light) {
-                                   return light.kind >= LightKind::rectangle;
-                                 });
+  workspace_.has_groups = std::any_of(bodies.type, bodies.type + bodies.count,
+                                      [](std::int32_t type) { return type == kTypeInstance; });
+  workspace_.draws =
+      scene.optics->occlusion_samples > 0 ||
+      std::any_of(scene.optics->lights, scene.optics->lights + scene.light_count,
+                  [](const OpticalLight& light) { return light.kind >= LightKind::rectangle; });
   workspace_.through = through_.workspace().levels[0];
   workspace_.through_scratch = through_.workspace().scratch;
   workspace_.room = batch;
@@ -55,7 +55,8 @@ GeneralMemory<R>::GeneralMemory(std::int32_t batch, std::int32_t shadow_rays,
     of_hits->resize(size + kArrayPadding);
 }
 
-template class GeneralMemory<float>;
-template class GeneralMemory<double>;
+#define ZRAKA_FOR(R) template class GeneralMemory<R>;
+ZRAKA_FOR_REALS(ZRAKA_FOR)
+#undef ZRAKA_FOR
 
 }  // namespace zraka

@@ -5,6 +5,8 @@
 
 #include <cstdlib>
 
+#include "scene/reals.hpp"
+
 namespace zraka {
 namespace {
 
@@ -20,7 +22,7 @@ bool machine_has(Isa isa) {
            __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
            __builtin_cpu_supports("avx512vl");
 #endif
-  return isa == Isa::portable || isa == Isa::oracle;
+  return isa == Isa::portable || (isa == Isa::oracle && ZRAKA_ORACLE != 0);
 }
 
 std::string names_of(const std::vector<Isa>& isas) {
@@ -72,6 +74,9 @@ Result<Isa> choose_isa(std::optional<Isa> wanted) {
           fmt::format("the environment's ZRAKA_ISA names '{}', which is no instruction set", name),
           "use avx512, avx2 or portable");
   }
+  if (*wanted == Isa::oracle && !machine_has(*wanted))
+    return failure("", "this zraka was built without the oracle, which is for its tests",
+                   "use " + names_of(available_isas()));
   if (!machine_has(*wanted))
     return failure(
         "", fmt::format("this machine does not have the instruction set {}", name_of(*wanted)),

@@ -15,6 +15,7 @@
 #include "render/tracer.hpp"
 #include "render/uv_finder.hpp"
 #include "render/workspace.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka {
 namespace {
@@ -256,8 +257,7 @@ bool make_layers(const LayerPass<R>& pass, Layers& layers) {
 #define ZRAKA_FOR(R)                                             \
   template bool make_layers(const LayerPass<R>&, Rendering&);    \
   template bool make_layers(const LayerPass<R>&, Layers&);
-ZRAKA_FOR(float)
-ZRAKA_FOR(double)
+ZRAKA_FOR_REALS(ZRAKA_FOR)
 #undef ZRAKA_FOR
 
 }  // namespace zraka

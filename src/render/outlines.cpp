@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "scene/reals.hpp"
+
 namespace zraka {
 namespace {
 
@@ -117,7 +119,9 @@ bool find_outlines(const LayerPass<R>& pass, const TileRect& part, std::vector<b
   return true;
 }
 
-template bool find_outlines<float>(const LayerPass<float>&, const TileRect&, std::vector<bool>&);
-template bool find_outlines<double>(const LayerPass<double>&, const TileRect&, std::vector<bool>&);
+#define ZRAKA_FOR(R) \
+  template bool find_outlines<R>(const LayerPass<R>&, const TileRect&, std::vector<bool>&);
+ZRAKA_FOR_REALS(ZRAKA_FOR)
+#undef ZRAKA_FOR
 
 }  // namespace zraka

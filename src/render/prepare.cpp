@@ -10,6 +10,7 @@
 #include "accel/build.hpp"
 #include "engine/general/wavelengths.hpp"
 #include "scene/freeze_lights.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka {
 namespace {
@@ -207,8 +208,7 @@ PreparedScene<R> prepare(Scene&& scene, const RenderOptions& options) {
   template PreparedScene<R> prepare<R>(Scene&&, const RenderOptions&);                   \
   template PreparedScene<R> prepare_with_room<R>(const Scene&, const RenderOptions&, R); \
   template TraceSettings settings_of(const RenderOptions&, const PreparedScene<R>&, const Variation&);
-ZRAKA_FOR(float)
-ZRAKA_FOR(double)
+ZRAKA_FOR_REALS(ZRAKA_FOR)
 #undef ZRAKA_FOR
 
 }  // namespace zraka

@@ -25,6 +25,7 @@
 #include "render/tiles.hpp"
 #include "render/variation.hpp"
 #include "render/workspace.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka {
 namespace {
@@ -195,8 +196,7 @@ bool render_prepared(const Scene* scene, const PreparedScene<R>& prepared,
   template bool render_prepared(const Scene*, const PreparedScene<R>&, const FrozenScene<R>&,   \
                                 const Kernel<R>&, const RenderOptions&, const Resolution&, int, \
                                 const Variation&, const TileOfImage&, Rendering&);
-ZRAKA_FOR(float)
-ZRAKA_FOR(double)
+ZRAKA_FOR_REALS(ZRAKA_FOR)
 #undef ZRAKA_FOR
 
 namespace {
@@ -243,13 +243,14 @@ Result<Rendering> render_any(SceneRef&& scene, const RenderOptions& options,
     rendering.stats.threads = threads;
     bool complete = false;
     with_threads(options.threads, [&] {
-      complete = *isa == Isa::oracle
-                     ? freeze_and_render<double>(std::forward<SceneRef>(scene), isa_oracle::kKernel,
-                                                 options, threads, variation, tile_done, rendering)
-                     : freeze_and_render<float>(
-                           std::forward<SceneRef>(scene),
-                           variation.kernel == nullptr ? kernel_of(*isa) : variation.kernel(*isa),
-                           options, threads, variation, tile_done, rendering);
+      const auto with = [&](const auto& kernel) {
+        complete = freeze_and_render(std::forward<SceneRef>(scene), kernel, options, threads,
+                                     variation, tile_done, rendering);
+      };
+#if ZRAKA_ORACLE
+      if (*isa == Isa::oracle) return with(isa_oracle::kKernel);
+#endif
+      with(variation.kernel == nullptr ? kernel_of(*isa) : variation.kernel(*isa));
     });
     if (!complete) return failure("", "the render was cancelled");
   } catch (const std::bad_alloc&) {

@@ -9,6 +9,7 @@
 #include "render/film.hpp"
 #include "render/sample_tracer.hpp"
 #include "render/tiles.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka {
 namespace {
@@ -252,7 +253,8 @@ bool render_samples(const PictureJob<R>& job, Rendering& rendering) {
                                                                : picture.render_evenly();
 }
 
-template bool render_samples(const PictureJob<float>&, Rendering&);
-template bool render_samples(const PictureJob<double>&, Rendering&);
+#define ZRAKA_FOR(R) template bool render_samples(const PictureJob<R>&, Rendering&);
+ZRAKA_FOR_REALS(ZRAKA_FOR)
+#undef ZRAKA_FOR
 
 }  // namespace zraka

@@ -8,13 +8,13 @@
 #include "cameras/cameras.hpp"
 #include "engine/window_rays.hpp"
 #include "sampling/dimensions.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka {
 
 template <class R>
 SampleRays<R>::SampleRays(const FrozenCamera<R>& camera, const Profile& profile,
-                          const Sampling& sampling, bool textured,
-                          bool names_samples)
+                          const Sampling& sampling, bool textured, bool names_samples)
     : camera_(camera),
       sampling_(sampling),
       filter_(PixelFilterShape::of(sampling.filter)),
@@ -44,8 +44,9 @@ FilterOffset SampleRays<R>::offset(std::int32_t x, std::int32_t y, std::uint32_t
   std::uint32_t u = 0, v = 0;
   Sobol2(hash(sampling_.seed, x, y, kPixelPair)).find_bits(number, u, v);
   const auto place = [&](std::uint32_t bits) {
-    return static_cast<double>(inverse_.places == nullptr ? inverse_.template place<true, R>(bits)
-                                                          : inverse_.template place<false, R>(bits));
+    return static_cast<double>(inverse_.places == nullptr
+                                   ? inverse_.template place<true, R>(bits)
+                                   : inverse_.template place<false, R>(bits));
   };
   return {place(u), place(v), inverse_.is_negative(u) != inverse_.is_negative(v)};
 }
@@ -125,7 +126,8 @@ void SampleRays<R>::make_all(const Services<R>& services, std::int32_t n, Worksp
   }
 }
 
-template class SampleRays<float>;
-template class SampleRays<double>;
+#define ZRAKA_FOR(R) template class SampleRays<R>;
+ZRAKA_FOR_REALS(ZRAKA_FOR)
+#undef ZRAKA_FOR
 
 }  // namespace zraka

@@ -8,6 +8,7 @@
 #include "scene/bounds_of.hpp"
 #include "scene/narrow.hpp"
 #include "scene/pieces.hpp"
+#include "scene/reals.hpp"
 #include "shapes/primitive_uv.hpp"
 
 namespace zraka {
@@ -101,7 +102,8 @@ std::array<double, 2> UvFinder<R>::at(const HitPath& path, const V3<double>& poi
   return {on.u, on.v};
 }
 
-template class UvFinder<float>;
-template class UvFinder<double>;
+#define ZRAKA_FOR(R) template class UvFinder<R>;
+ZRAKA_FOR_REALS(ZRAKA_FOR)
+#undef ZRAKA_FOR
 
 }  // namespace zraka

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <new>
 
+#include "scene/reals.hpp"
+
 namespace zraka {
 namespace {
 
@@ -53,8 +55,8 @@ void place_all(Layout& layout, Level<R>* levels, Workspace<R>& workspace,
   const std::size_t rays_of_level = batch * static_cast<std::size_t>(needs.children);
   for (int i = 0; i <= needs.max_depth; ++i) {
     RayArrays<R>& rays = levels[i].rays;
-    layout.place(rays_of_level, rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, rays.r, rays.g,
-                 rays.b);
+    layout.place(rays_of_level, rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, rays.r,
+                 rays.g, rays.b);
     HitArrays<R>& hits = levels[i].hits;
     layout.place(batch, hits.r, hits.g, hits.b, hits.reflection, hits.refraction);
     layout.place(batch, hits.ray, hits.reflected, hits.refracted);
@@ -84,7 +86,8 @@ WorkspaceMemory<R>::WorkspaceMemory(const WorkspaceNeeds& needs)
   workspace_.batch = needs.batch;
 }
 
-template class WorkspaceMemory<float>;
-template class WorkspaceMemory<double>;
+#define ZRAKA_FOR(R) template class WorkspaceMemory<R>;
+ZRAKA_FOR_REALS(ZRAKA_FOR)
+#undef ZRAKA_FOR
 
 }  // namespace zraka

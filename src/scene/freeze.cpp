@@ -12,6 +12,7 @@
 #include "scene/freeze_lights.hpp"
 #include "scene/narrow.hpp"
 #include "scene/pieces.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka {
 namespace {
@@ -173,14 +174,15 @@ std::int32_t freeze_shapes(const ShapeLists& shapes, const Whereabouts& where,
                            const Frame& frame, bool textured, FrozenStore<R>& store) {
   FrozenScene<R>& frozen = store.scene;
   // One array for all the numbers: materials first, then column by column of each kind of shape.
-  const ChosenKinds chosen{has_ground_sphere(shapes, where, frame), all_are_cylinders(shapes.cones)};
+  const ChosenKinds chosen{has_ground_sphere(shapes, where, frame),
+                           all_are_cylinders(shapes.cones)};
   std::size_t reals = materials.size() * kMaterialReals, slots = 0;
   const auto add_room = [&]<class Shape>(const auto& objects, const Pieces<Shape>& pieces) {
     const std::size_t room = objects.size() + pieces.others.size() + kColumnPadding;
     reals += room * static_cast<std::size_t>(ShapeTraits<Shape>::kReals);
     slots += room;
   };
-#define ZRAKA_COUNT(Type, plural)                                                    \
+#define ZRAKA_COUNT(Type, plural)                                                     \
   auto pieces_of_##plural = pieces_of<Type>(objects_as<Type>(shapes, chosen), frame); \
   add_room(objects_as<Type>(shapes, chosen), pieces_of_##plural);
   ZRAKA_INLINED_KINDS(ZRAKA_COUNT)
@@ -198,7 +200,7 @@ std::int32_t freeze_shapes(const ShapeLists& shapes, const Whereabouts& where,
 
   std::int32_t first_slot = 0;
   const auto freeze_kind = [&]<class Shape>(const auto& objects, Pieces<Shape>& pieces,
-                                              FrozenShapes<R, Shape>& out,
+                                            FrozenShapes<R, Shape>& out,
                                             std::vector<std::int32_t>& parents) {
     using Traits = ShapeTraits<Shape>;
     const std::size_t count = objects.size() + pieces.others.size();
@@ -248,9 +250,10 @@ std::int32_t freeze_shapes(const ShapeLists& shapes, const Whereabouts& where,
 
 /// The textures of all materials; nullptr where there are none.
 std::unique_ptr<StoredTextures> freeze_textures(const Scene& scene) {
-  const bool any = std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
-    return !m.textures.empty() || m.normals.kind != NormalUse::Kind::none;
-  });
+  const bool any =
+      std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
+        return !m.textures.empty() || m.normals.kind != NormalUse::Kind::none;
+      });
   if (!any && scene.sky.kind != Sky::Kind::image) return nullptr;
   auto stored = std::make_unique<StoredTextures>();
   stored->set = TextureSet(scene.textures);
@@ -274,9 +277,8 @@ std::unique_ptr<StoredTextures> freeze_textures(const Scene& scene) {
              use.coefficient == Coefficient::refraction;
     });
     its.in_lanes = m.normals.kind == NormalUse::Kind::none && count > 0 &&
-                   std::all_of(uses, uses + count, [&](const TextureUse& use) {
-                     return set.in_lanes(use.texture);
-                   });
+                   std::all_of(uses, uses + count,
+                               [&](const TextureUse& use) { return set.in_lanes(use.texture); });
     stored->of_material.push_back(its);
     uses += count;
   }
@@ -396,11 +398,11 @@ std::uint64_t FrozenStore<R>::bytes() const {
   return bytes;
 }
 
-template std::uint64_t FrozenStore<float>::bytes() const;
-template std::uint64_t FrozenStore<double>::bytes() const;
-template std::unique_ptr<FrozenStore<float>> freeze<float>(const Scene&, const Profile&,
-                                                           const Frame&, bool);
-template std::unique_ptr<FrozenStore<double>> freeze<double>(const Scene&, const Profile&,
-                                                             const Frame&, bool);
+#define ZRAKA_FOR(R)                                                                             \
+  template std::uint64_t FrozenStore<R>::bytes() const;                                          \
+  template std::unique_ptr<FrozenStore<R>> freeze<R>(const Scene&, const Profile&, const Frame&, \
+                                                     bool);
+ZRAKA_FOR_REALS(ZRAKA_FOR)
+#undef ZRAKA_FOR
 
 }  // namespace zraka

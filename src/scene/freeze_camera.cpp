@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/narrow.hpp"
+#include "scene/reals.hpp"
 #include "scene/view_axes.hpp"
 
 namespace zraka {
@@ -103,7 +104,9 @@ FrozenCamera<R> freeze_camera(const Scene& scene, const Profile& profile, const 
   return frozen;
 }
 
-template FrozenCamera<float> freeze_camera(const Scene&, const Profile&, const Frame&);
-template FrozenCamera<double> freeze_camera(const Scene&, const Profile&, const Frame&);
+#define ZRAKA_FOR(R) \
+  template FrozenCamera<R> freeze_camera(const Scene&, const Profile&, const Frame&);
+ZRAKA_FOR_REALS(ZRAKA_FOR)
+#undef ZRAKA_FOR
 
 }  // namespace zraka

@@ -7,6 +7,7 @@
 #include "math/elementary.hpp"
 #include "scene/freeze_optics.hpp"
 #include "scene/narrow.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka {
 namespace {
@@ -68,7 +69,8 @@ FrozenLight<R> freeze_lean_light(const Light& light, const Frame& frame) {
           fades(light) ? freeze_fading<R>(freeze_light(light, frame)) : FrozenFading<R>{}};
 }
 
-template FrozenLight<float> freeze_lean_light<float>(const Light&, const Frame&);
-template FrozenLight<double> freeze_lean_light<double>(const Light&, const Frame&);
+#define ZRAKA_FOR(R) template FrozenLight<R> freeze_lean_light<R>(const Light&, const Frame&);
+ZRAKA_FOR_REALS(ZRAKA_FOR)
+#undef ZRAKA_FOR
 
 }  // namespace zraka

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/freeze.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka {
 namespace {
@@ -44,15 +45,15 @@ void add_opaque_scene(FrozenStore<R>& store, bool transparent) {
   if (scene.optics == nullptr) return;
   for (const OpticalMaterial& m : store.optics->materials) {
     const bool passable = !m.casts_shadow || (transparent && is_transparent(m));
-    // What absorbs light does so whether it casts a shadow or not; and where there are cuts, what is
-    // opaque may be passed, too.
-    const bool filters = (passable || scene.optics->cut_count > 0) &&
-                         (m.casts_shadow || scene.optics->absorbing);
+    // What absorbs light does so whether it casts a shadow or not; and where there are cuts, what
+    // is opaque may be passed, too.
+    const bool filters =
+        (passable || scene.optics->cut_count > 0) && (m.casts_shadow || scene.optics->absorbing);
     store.passable.push_back(passable ? 1 : 0);
     store.unfiltering.push_back(filters ? 0 : 1);
   }
-  const bool has_any = std::find(store.passable.begin(), store.passable.end(), 1) !=
-                       store.passable.end();
+  const bool has_any =
+      std::find(store.passable.begin(), store.passable.end(), 1) != store.passable.end();
   if (!has_any || has_passable_whole(store)) return;
   store.opaque = store.filtering = scene;
   store.opaque.shadowless = store.passable.data();
@@ -61,7 +62,8 @@ void add_opaque_scene(FrozenStore<R>& store, bool transparent) {
   scene.filtering = &store.filtering;
 }
 
-template void add_opaque_scene(FrozenStore<float>&, bool);
-template void add_opaque_scene(FrozenStore<double>&, bool);
+#define ZRAKA_FOR(R) template void add_opaque_scene(FrozenStore<R>&, bool);
+ZRAKA_FOR_REALS(ZRAKA_FOR)
+#undef ZRAKA_FOR
 
 }  // namespace zraka

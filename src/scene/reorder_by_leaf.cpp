@@ -9,6 +9,7 @@
 #include "core/in_parallel.hpp"
 #include "scene/freeze.hpp"
 #include "scene/narrow.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka {
 
@@ -154,19 +155,19 @@ void reorder_by_leaf(FrozenStore<R>& store, const BuiltHierarchy& hierarchy) {
 #define ZRAKA_REORDER(Type, plural) reorder_shapes(scene.plural, store.parents[kKindOf##Type]);
   ZRAKA_INLINED_KINDS(ZRAKA_REORDER)
 #undef ZRAKA_REORDER
-  reorder_bodies(hierarchy.order.empty() ? nullptr
-                                         : hierarchy.order.data() + scene.bodies.first_slot,
-                 store.bodies, scene.bodies);
+  reorder_bodies(
+      hierarchy.order.empty() ? nullptr : hierarchy.order.data() + scene.bodies.first_slot,
+      store.bodies, scene.bodies);
   if (std::is_same_v<R, float> && !hierarchy.order.empty() &&
       hierarchy.order.size() < kTooManyForRows)
     add_rows(store);
 }
 
-template std::vector<std::int32_t> kind_starts_of(const FrozenScene<float>&);
-template std::vector<std::int32_t> kind_starts_of(const FrozenScene<double>&);
-template void refer_to(const FrozenScene<float>&, BuildRef*);
-template void refer_to(const FrozenScene<double>&, BuildRef*);
-template void reorder_by_leaf(FrozenStore<float>&, const BuiltHierarchy&);
-template void reorder_by_leaf(FrozenStore<double>&, const BuiltHierarchy&);
+#define ZRAKA_FOR(R)                                                        \
+  template std::vector<std::int32_t> kind_starts_of(const FrozenScene<R>&); \
+  template void refer_to(const FrozenScene<R>&, BuildRef*);                 \
+  template void reorder_by_leaf(FrozenStore<R>&, const BuiltHierarchy&);
+ZRAKA_FOR_REALS(ZRAKA_FOR)
+#undef ZRAKA_FOR
 
 }  // namespace zraka

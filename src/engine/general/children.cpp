@@ -5,6 +5,7 @@
 #include "engine/general/steps.hpp"
 #include "materials/dispersion.hpp"
 #include "sampling/hash.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka::general {
 
@@ -256,8 +257,7 @@ void spawn(const Batch<R>& batch, Level<R>& next, RayState<R>* next_rays, Inside
 }
 
 #define ZRAKA_FOR(R) template void spawn(const Batch<R>&, Level<R>&, RayState<R>*, Inside*);
-ZRAKA_FOR(float)
-ZRAKA_FOR(double)
+ZRAKA_FOR_REALS(ZRAKA_FOR)
 #undef ZRAKA_FOR
 
 }  // namespace zraka::general

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/general/cuts.hpp"
+#include "scene/reals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -332,8 +333,7 @@ void find_uncut_hits(const FrozenScene<R>& scene, const Services<R>& services, L
   template void drop_lost_hits(Level<R>&, Scratch<R>&, std::vector<std::int32_t>&);                \
   template void find_uncut_hits(const FrozenScene<R>&, const Services<R>&, Level<R>&, Scratch<R>&, \
                                 GeneralWorkspace<R>&);
-ZRAKA_FOR(float)
-ZRAKA_FOR(double)
+ZRAKA_FOR_REALS(ZRAKA_FOR)
 #undef ZRAKA_FOR
 
 }  // namespace zraka::general

@@ -9,6 +9,7 @@
 #include "engine/general/cuts.hpp"
 #include "engine/general/sky.hpp"
 #include "sampling/hash.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka::general {
 namespace {
@@ -326,8 +327,7 @@ void trace_rays(const FrozenScene<R>& scene, const TraceSettings& settings,
 #define ZRAKA_FOR(R)                                                                          \
   template void trace_rays(const FrozenScene<R>&, const TraceSettings&, const Services<R>&,   \
                            Workspace<R>&, GeneralWorkspace<R>&, RayCounts&);
-ZRAKA_FOR(float)
-ZRAKA_FOR(double)
+ZRAKA_FOR_REALS(ZRAKA_FOR)
 #undef ZRAKA_FOR
 
 }  // namespace zraka::general

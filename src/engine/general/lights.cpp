@@ -9,6 +9,7 @@
 #include "sampling/hash.hpp"
 #include "sampling/sobol.hpp"
 #include "sampling/warp.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka::general {
 namespace {
@@ -397,8 +398,7 @@ void light_hits(const Batch<R>& batch) {
 }
 
 #define ZRAKA_FOR(R) template void light_hits(const Batch<R>&);
-ZRAKA_FOR(float)
-ZRAKA_FOR(double)
+ZRAKA_FOR_REALS(ZRAKA_FOR)
 #undef ZRAKA_FOR
 
 }  // namespace zraka::general

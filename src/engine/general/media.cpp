@@ -4,6 +4,7 @@
 
 #include "engine/general/sky.hpp"
 #include "math/elementary.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka::general {
 namespace {
@@ -165,8 +166,7 @@ void pass_fog(const Batch<R>& batch) {
   template std::uint64_t body_of(const FrozenScene<R>&, const HitPath&, std::int32_t); \
   template void pass_media(const Batch<R>&);                                           \
   template void pass_fog(const Batch<R>&);
-ZRAKA_FOR(float)
-ZRAKA_FOR(double)
+ZRAKA_FOR_REALS(ZRAKA_FOR)
 #undef ZRAKA_FOR
 
 }  // namespace zraka::general

@@ -3,6 +3,7 @@
 #include "engine/general/shadows.hpp"
 #include "sampling/hash.hpp"
 #include "sampling/sobol.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka::general {
 
@@ -77,8 +78,7 @@ void find_occlusion(const Batch<R>& batch) {
 }
 
 #define ZRAKA_FOR(R) template void find_occlusion(const Batch<R>&);
-ZRAKA_FOR(float)
-ZRAKA_FOR(double)
+ZRAKA_FOR_REALS(ZRAKA_FOR)
 #undef ZRAKA_FOR
 
 }  // namespace zraka::general

@@ -3,6 +3,7 @@
 
 #include "engine/coefficients.hpp"
 #include "engine/general/cuts.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka::general {
 namespace {
@@ -367,8 +368,7 @@ void trace_waiting(const Batch<R>& batch, Order order) {
   template void find_shadow_origins(const Batch<R>&); \
   template void follow_waiting(const Batch<R>&);      \
   template void trace_waiting(const Batch<R>&, Order);
-ZRAKA_FOR(float)
-ZRAKA_FOR(double)
+ZRAKA_FOR_REALS(ZRAKA_FOR)
 #undef ZRAKA_FOR
 
 }  // namespace zraka::general

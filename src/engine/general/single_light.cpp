@@ -2,6 +2,7 @@
 // Local light of lights that are no surfaces, at all hits of a batch together: what lanes compute
 // (HitServices), and hit by hit only what they leave open. To the bits of lights.cpp.
 #include "engine/general/lights.hpp"
+#include "scene/reals.hpp"
 
 namespace zraka::general {
 namespace {
@@ -110,8 +111,7 @@ void add_single_light(const Batch<R>& batch, std::int32_t index) {
 }
 
 #define ZRAKA_FOR(R) template void add_single_light(const Batch<R>&, std::int32_t);
-ZRAKA_FOR(float)
-ZRAKA_FOR(double)
+ZRAKA_FOR_REALS(ZRAKA_FOR)
 #undef ZRAKA_FOR
 
 }  // namespace zraka::general
