@@ -8,6 +8,7 @@ those of one of 8×6, so that loading and building are not among them. The pictu
 """
 import math
 import pathlib
+import random
 import resource
 import statistics
 import subprocess
@@ -49,6 +50,17 @@ material = "floor"
 point = [0, 0, 0]
 normal = [0, 1, 0]
 """
+
+
+def write_picture(path, side=512):
+    """Soft waves with a fine grain: what is far away has something to alias."""
+    random.seed(1)
+    pixels = bytearray()
+    for y in range(side):
+        for x in range(side):
+            wave = 128 + 60 * math.sin(2 * math.pi * x / 64) * math.cos(2 * math.pi * y / 128)
+            pixels += bytes(min(255, int(wave + random.random() * 60 + tone)) for tone in (0, 15, 30))
+    path.write_bytes(b"P6\n%d %d\n255\n" % (side, side) + pixels)
 
 
 def processor_seconds(command, folder):

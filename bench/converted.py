@@ -12,6 +12,8 @@ import pathlib
 import subprocess
 import sys
 
+import beside
+
 SIZE = (320, 240)
 COMMON = """
 [image]
@@ -67,6 +69,11 @@ def ball(material, x, y=1, z=0, radius=1):
     return shape("sphere", material, center=[x, y, z], radius=radius)
 
 
+def painted(texture):
+    return (MATT + f'[texture.paint]\n{texture}\n[material.painted]\ncolor = "paint"\n'
+            + shape("sphere", "painted", center=[0, 1, 0.01], radius=1))
+
+
 BALLS = ball("red", -2) + ball("green", 0.3, 0.7, 1, 0.7) + ball("red", 2.2)
 GRADIENT = "{kind = 'gradient', bottom = [0.8, 0.8, 0.9], top = [0.2, 0.3, 0.8]}"
 SOLIDS = "{kind = 'box', min = [-1, 0, -1], max = [1, 1.8, 1]}, {kind = 'sphere', center = [0, 1.8, 0.6], radius = 0.9}"
@@ -109,8 +116,12 @@ SUBJECTS = {
     "a lens": LIGHT + "[camera]\neye = [3, 4, 9]\nlook_at = [0, 1, 0]\nfov_deg = 40\naperture = 0.5\nfocus = [0, 1, 1]\n"
     "[render]\nsamples = 64\n" + BALLS,
     "a gradient": MATT + ball("mirror", 0),
-    "a checker": MATT + '[texture.tiles]\nkind = "checker"\ncolors = [0.9, [0.1, 0.1, 0.3]]\nsize = 0.5\n'
-    '[material.tiled]\ncolor = "tiles"\n' + shape("sphere", "tiled", center=[0, 1, 0.01], radius=1),
+    "a checker": painted('kind = "checker"\ncolors = [0.9, [0.1, 0.1, 0.3]]\nsize = 0.5'),
+    "stripes": painted('kind = "stripes"\ncolors = [0.9, 0.5, [0.1, 0.1, 0.3]]\nsize = 0.4\ndirection = [1, 0.3, 0.5]'),
+    "rings": painted('kind = "rings"\ncolors = [0.9, [0.1, 0.1, 0.3]]\nsize = 0.2\ndirection = [0.3, 1, 0.8]'),
+    "colours that repeat": painted('kind = "gradient"\ncolors = [0.9, [0.1, 0.1, 0.3]]\nwrap = "repeat"\n'
+                                   "direction = [1, 0.3, 0.5]"),
+    "a picture": painted('kind = "image"\nfile = "picture.ppm"\nmapping = "solid"\nfilter = "bilinear"'),
 }
 
 
@@ -155,6 +166,7 @@ def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     folder = build / "converted"
     folder.mkdir(exist_ok=True)
+    beside.write_picture(folder / "picture.ppm")
     print("| scene | Tachyon | POV-Ray | what is lost |\n|---|--:|--:|---|")
     for i, (name, text) in enumerate(SUBJECTS.items()):
         if sys.argv[2:] and name not in sys.argv[2:]:

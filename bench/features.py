@@ -3,7 +3,8 @@
 """features.py BUILD [ROUNDS]: what scenes have beyond the lab's, one thing at a time, by zraka and by POV-Ray.
 
 Nine and 900 spheres on a plane, a third of them mirrors, and the same with another light, another material or a texture
-on the floor; and pairs of this folder. Medians of ROUNDS, 3 if it is not said; beside.py says what is measured.
+on the floor; and pairs of this folder. POV-Ray knows pictures in no smaller sizes: what is far away looks otherwise
+there. Medians of ROUNDS, 3 if it is not said; beside.py says what is measured.
 """
 import pathlib
 import random
@@ -46,6 +47,8 @@ SYRUP = FRESNEL + "absorption = [0.3, 0.1, 0.2]\n"
 PRISM = CLEAR + "dispersion = {abbe = 25}\n"
 TILES = '[texture.tiles]\nkind = "checker"\ncolors = [[0.9, 0.9, 0.9], [0.1, 0.1, 0.1]]\nsize = 2\n' \
         "transform = [{translate = [0, 1, 0]}]\n"
+PICTURE = '[texture.tiles]\nkind = "image"\nfile = "picture.ppm"\nmapping = "solid"\n' \
+          "transform = [{scale = 4}, {rotate = [1, 0, 0], by_deg = -90}]\n"
 
 
 def spheres(side, materials):
@@ -78,6 +81,8 @@ FEATURES = {
     "glass that absorbs": {"head": SHADOWS, "glass": SYRUP},
     "glass, 12 wavelengths": {"head": SHADOWS, "glass": PRISM},
     "a checker": {"texture": TILES, "floor": painted("tiles")},
+    "a picture": {"texture": PICTURE + 'filter = "bilinear"\n', "floor": painted("tiles")},
+    "a picture in smaller sizes": {"texture": PICTURE, "floor": painted("tiles")},
 }
 
 
@@ -85,6 +90,7 @@ def main():
     build, rounds = beside.arguments(__doc__)
     folder = build / "features"
     folder.mkdir(exist_ok=True)
+    beside.write_picture(folder / "picture.ppm")
     scenes, smooth = {}, []
     for number, (name, parts) in enumerate(FEATURES.items()):
         for side in (3, 30):

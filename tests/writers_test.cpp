@@ -233,12 +233,63 @@ TEST(Writers, WritePovraysShapesAndMaterials) {
     expect_has(text, part);
 }
 
+TEST(Writers, PaintPovraysPigmentsAsItsPatternsAre) {
+  const auto pigment = [](const Texture& texture) {
+    Scene scene = of_all_bodies();
+    scene.textures = {texture};
+    scene.materials[0].textures = {{Coefficient::diffuse, 0}, {Coefficient::ambient, 0}};
+    const std::string text = text_of(scene, "povray"), lost = losses(scene, "povray");
+    const std::size_t begin = text.find("pigment { ") + 10, end = text.find(" } finish", begin);
+    return text.substr(begin, end - begin) +
+           (lost.find("the mean is kept") != std::string::npos            ? " (lost)"
+            : lost.find("pictures in smaller sizes") != std::string::npos ? " (bilinear)"
+                                                                          : "");
+  };
+  Texture t;
+  t.colors = {{1, 0, 0}, {0, 1, 0}};
+  t.size = 0.5;
+  t.direction = {0, 0, 2};
+  const std::string in_turn =
+      "color_map { [0 rgbt <1,0,0,0>] [0.5 rgbt <1,0,0,0>] [0.5 rgbt <0,1,0,0>] [1 rgbt "
+      "<0,1,0,0>] } scale 1";
+  EXPECT_EQ(pigment(t), "checker rgbt <1,0,0,0>, rgbt <0,1,0,0> scale 0.5");
+  t.kind = TextureKind::stripes;
+  EXPECT_EQ(pigment(t), "gradient <0,0,1> " + in_turn);
+  t.kind = TextureKind::gradient;
+  EXPECT_EQ(pigment(t),
+            "gradient <0,0,1> color_map { [0 rgbt <1,0,0,0>] [1 rgbt <0,1,0,0>] } scale 0.5");
+  t.kind = TextureKind::rings;
+  EXPECT_EQ(pigment(t), "wood ramp_wave " + in_turn + " matrix <1,0,0, 0,1,0, 0,0,1, 0,0,0>");
+  t.transform.origin = {1, 2, 3};
+  EXPECT_NE(pigment(t).find(" matrix <1,0,0, 0,1,0, 0,0,1, 1,2,3>"), std::string::npos);
+  // What POV-Ray has otherwise, and what looks another way in the distance.
+  t.turbulence = 1;
+  EXPECT_NE(pigment(t).find("(lost)"), std::string::npos);
+  t.kind = TextureKind::gradient, t.wrap = TextureWrap::clamp;
+  EXPECT_NE(pigment(t).find("(lost)"), std::string::npos);
+  t = {};
+  t.kind = TextureKind::image;
+  t.image = std::make_shared<Image>(1u, 1u);
+  t.file = "a b.PNG";
+  EXPECT_EQ(pigment(t),
+            "image_map { png \"a b.PNG\" gamma srgb map_type 0 interpolate 2 } (bilinear)");
+  t.filter = TextureFilter::nearest, t.transfer = Transfer::linear, t.file = "a.jpg";
+  EXPECT_EQ(pigment(t), "image_map { jpeg \"a.jpg\" gamma 1.0 map_type 0 }");
+  t.filter = TextureFilter::bilinear, t.file = "sky.hdr";
+  EXPECT_EQ(pigment(t), "image_map { hdr \"sky.hdr\" map_type 0 interpolate 2 }");
+  for (const char* file : {"", "a.webp", "a\".png", "png"}) {
+    t.file = file;
+    EXPECT_NE(pigment(t).find("(lost)"), std::string::npos) << file;
+  }
+  t.file = "a.png", t.mapping = TextureMapping::uv;
+  EXPECT_NE(pigment(t).find("(lost)"), std::string::npos);
+}
+
 TEST(Writers, DispersePovraysGlassAsItsFormulaSays) {
   Scene scene = of_all_bodies();
   scene.defaults.wavelengths = 9;
   for (Material& m : scene.materials)
-    if (m.refraction.most() > 0)
-      m.dispersion = {Dispersion::Kind::cauchy, {1.5, 0.01, 0.0002}};
+    if (m.refraction.most() > 0) m.dispersion = {Dispersion::Kind::cauchy, {1.5, 0.01, 0.0002}};
   const std::string text = text_of(scene, "povray");
   const auto number_behind = [&](const std::string& word) {
     const std::size_t found = text.find(word);
@@ -247,7 +298,8 @@ TEST(Writers, DispersePovraysGlassAsItsFormulaSays) {
   };
   const double ior = number_behind("interior { ior "), ratio = number_behind(" dispersion ");
   EXPECT_EQ(number_behind("dispersion_samples "), 9);
-  // POV-Ray 3.7 spreads its bands evenly from 380 to 730 nm and takes ior·dispersion^((555 - λ)/350).
+  // POV-Ray 3.7 spreads its bands evenly from 380 to 730 nm and takes ior·dispersion^((555 -
+  // λ)/350).
   const auto theirs = [&](double nm) { return ior * std::pow(ratio, (555 - nm) / 350); };
   const auto cauchy = [](double nm) { return 1.5 + 1e4 / (nm * nm) + 2e8 / std::pow(nm, 4); };
   EXPECT_NEAR(theirs(587.5618), cauchy(587.5618), 1e-6);

@@ -115,8 +115,8 @@ void PovrayWriter::write_fading(const Light& light, Color& color) {
 void PovrayWriter::write_light(const Light& light) {
   const bool is_directional = light.kind == LightKind::directional;
   // Far enough that it makes no difference to a byte.
-  constexpr double kFar = 1e6;
-  Vec3 from = is_directional ? unit(light.direction) * -kFar : light.position;
+  constexpr double kSunDistance = 1e6;
+  Vec3 from = is_directional ? unit(light.direction) * -kSunDistance : light.position;
   if (light.kind == LightKind::rectangle) from = from + (light.edge_u + light.edge_v) * 0.5;
   Color color = light.color;
   std::string own;

@@ -40,10 +40,15 @@ class PovrayWriter {
   // povray_output_materials.cpp
   void write_material(std::uint32_t index);
   void count_lost(const Material& material);
-  std::string pigment_of(const Texture* checker, const Color& color, double through) const;
+  const Texture* painting_of(const Material& material) const;
   void write_clear(const Material& material);
   void write_finish(const Material& material);
   void write_interior(const Material& material);
+
+  // povray_output_textures.cpp
+  static bool is_pigment(const Texture& texture);
+  /// `through` is the share of light that it lets through.
+  static std::string pigment_of(const Texture& texture, double through);
 
   // povray_output_shapes.cpp
   /// What stands between an object's numbers and its closing brace.

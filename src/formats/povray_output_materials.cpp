@@ -11,29 +11,27 @@
 #include "materials/dispersion.hpp"
 
 namespace zraka {
-namespace {
 
-/// A checker in space that gives the diffuse light; nullptr where there is none.
-const Texture* checker_of(const Scene& scene, const Material& m) {
+/// The texture that gives the diffuse light; nullptr where there is none, or none for POV-Ray.
+const Texture* PovrayWriter::painting_of(const Material& m) const {
   for (const TextureUse& use : m.textures) {
-    const Texture& texture = scene.textures[use.texture];
-    if (use.coefficient == Coefficient::diffuse && texture.kind == TextureKind::checker &&
-        texture.mapping == TextureMapping::solid)
-      return &texture;
+    const Texture& texture = scene_.textures[use.texture];
+    if (use.coefficient == Coefficient::diffuse && is_pigment(texture)) return &texture;
   }
   return nullptr;
 }
 
-}  // namespace
-
 void PovrayWriter::count_lost(const Material& m) {
-  const Texture* const checker = checker_of(scene_, m);
+  const Texture* const painting = painting_of(m);
   for (const TextureUse& use : m.textures) {
     const bool is_ambient = use.coefficient == Coefficient::ambient;
-    const bool is_checker = checker != nullptr && &scene_.textures[use.texture] == checker;
+    const bool is_painting = painting != nullptr && &scene_.textures[use.texture] == painting;
     losses_.count("materials: textures, of which the mean is kept",
-                  !is_checker || !(is_ambient || use.coefficient == Coefficient::diffuse));
+                  !is_painting || !(is_ambient || use.coefficient == Coefficient::diffuse));
   }
+  losses_.count("materials: pictures in smaller sizes for what is far away",
+                painting != nullptr && painting->kind == TextureKind::image &&
+                    painting->filter == TextureFilter::mip);
   losses_.count("materials: bumps and maps of normals", m.normals.kind != NormalUse::Kind::none);
   losses_.count("materials: the highlight's colour",
                 m.specular.r != m.specular.g || m.specular.g != m.specular.b);
@@ -62,14 +60,14 @@ void PovrayWriter::write_interior(const Material& m) {
   double ior = m.ior;
   std::string dispersion;
   if (m.dispersion.kind != Dispersion::Kind::none && scene_.defaults.wavelengths > 1) {
-    // POV-Ray's index at λ is ior·dispersion^((0.555 µm - λ)/0.35 µm): equal at the lines F and C as
-    // a ratio, and at d.
+    // POV-Ray's index at λ is ior·dispersion^((0.555 µm - λ)/0.35 µm): equal at the lines F and C
+    // as a ratio, and at d.
     constexpr double kMiddle = 0.555, kWidth = 0.35;
     const auto index = [&m](double line) { return refractive_index(m.dispersion, m.ior, line); };
     const double ratio = std::pow(index(kLineF) / index(kLineC), kWidth / (kLineC - kLineF));
     ior = index(kLineD) * std::pow(ratio, (kLineD - kMiddle) / kWidth);
-    dispersion = fmt::format("dispersion {} dispersion_samples {} ", ratio,
-                             scene_.defaults.wavelengths);
+    dispersion =
+        fmt::format("dispersion {} dispersion_samples {} ", ratio, scene_.defaults.wavelengths);
   }
   put(" interior {{ ior {} {}", ior, dispersion);
   // From a power of 1000 on it fades by exp(-(1 - color)·depth/distance).
@@ -87,23 +85,11 @@ void PovrayWriter::write_clear(const Material& m) {
   put("}} }}");
 }
 
-std::string PovrayWriter::pigment_of(const Texture* checker, const Color& color,
-                                     double through) const {
-  const auto clear = [&](const Color& c) {
-    return fmt::format("rgbt <{},{},{},{}>", c.r, c.g, c.b, through);
-  };
-  if (checker == nullptr) return clear(color);
-  std::string text = fmt::format("checker {}, {} scale {}", clear(checker->colors[0]),
-                                 clear(checker->colors[1]), checker->size);
-  if (checker->transform != Transform{}) text += " " + words(checker->transform);
-  return text;
-}
-
 void PovrayWriter::write_material(std::uint32_t index) {
   const Material& given = scene_.materials[index];
   count_lost(given);
   const Material m = without_textures(scene_, given);
-  const Texture* const checker = checker_of(scene_, given);
+  const Texture* const painting = painting_of(given);
   const auto name = scene_.material_names.find(index);
   if (name != scene_.material_names.end()) put("// {}\n", shown(name->second));
   put("#macro M{}() ", index);
@@ -118,9 +104,12 @@ void PovrayWriter::write_material(std::uint32_t index) {
         is_lit ? Color{share(m.ambient.r, m.diffuse.r), share(m.ambient.g, m.diffuse.g),
                        share(m.ambient.b, m.diffuse.b)}
                : Color{1, 1, 1};
-    put("texture {{ pigment {{ {} }} finish {{ ambient {} diffuse {} ",
-        pigment_of(checker, is_lit ? m.diffuse : m.ambient, through), words(ambient * rest),
-        is_lit ? rest : 0);
+    const Color color = is_lit ? m.diffuse : m.ambient;
+    const std::string pigment =
+        painting != nullptr ? pigment_of(*painting, through)
+                            : fmt::format("rgbt <{},{},{},{}>", color.r, color.g, color.b, through);
+    put("texture {{ pigment {{ {} }} finish {{ ambient {} diffuse {} ", pigment,
+        words(ambient * rest), is_lit ? rest : 0);
     write_finish(m);
     put("}} }}");
   }
