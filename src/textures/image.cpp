@@ -30,6 +30,18 @@ std::uint32_t neighbor(double i, std::uint32_t count, TextureWrap wrap) {
   return static_cast<std::uint32_t>(i);
 }
 
+/// A colour of which two numbers are computed at a time, which every processor of 64 bits can.
+struct Rgb {
+  __extension__ typedef double Two __attribute__((vector_size(16)));
+  Two rg;
+  double b;
+
+  static Rgb at(const float* t) { return {Two{t[0], t[1]}, t[2]}; }
+  friend Rgb operator+(const Rgb& x, const Rgb& y) { return {x.rg + y.rg, x.b + y.b}; }
+  friend Rgb operator*(const Rgb& x, double s) { return {x.rg * Two{s, s}, x.b * s}; }
+  operator V3<double>() const { return {rg[0], rg[1], b}; }
+};
+
 V3<double> texel(const Image& image, std::uint32_t column, std::uint32_t row_from_below) {
   const float* t = image.row(image.height - 1 - row_from_below) + std::size_t{3} * column;
   return {t[0], t[1], t[2]};
@@ -43,19 +55,25 @@ V3<double> nearest(const Sheet& sheet, double u, double v) {
                std::min(static_cast<std::uint32_t>(y), image.height - 1));
 }
 
-/// Between the middles of the four texels around.
-V3<double> bilinear(const Sheet& sheet, double u, double v) {
+/// Between the middles of the four texels around, at what is folded of u and v.
+Rgb between_four(const Sheet& sheet, double u, double v) {
   const Image& image = sheet.image;
-  const double x = folded(u, sheet.wrap_u) * image.width - 0.5;
-  const double y = folded(v, sheet.wrap_v) * image.height - 0.5;
+  const double x = u * image.width - 0.5, y = v * image.height - 0.5;
   const double i = std::floor(x), j = std::floor(y), right = x - i, above = y - j;
   const std::uint32_t i0 = neighbor(i, image.width, sheet.wrap_u);
   const std::uint32_t i1 = neighbor(i + 1, image.width, sheet.wrap_u);
   const std::uint32_t j0 = neighbor(j, image.height, sheet.wrap_v);
   const std::uint32_t j1 = neighbor(j + 1, image.height, sheet.wrap_v);
-  const V3<double> low = texel(image, i0, j0) * (1 - right) + texel(image, i1, j0) * right;
-  const V3<double> high = texel(image, i0, j1) * (1 - right) + texel(image, i1, j1) * right;
+  const float *lower = image.row(image.height - 1 - j0), *upper = image.row(image.height - 1 - j1);
+  const std::size_t left_at = std::size_t{3} * i0, right_at = std::size_t{3} * i1;
+  const double left = 1 - right;
+  const Rgb low = Rgb::at(lower + left_at) * left + Rgb::at(lower + right_at) * right;
+  const Rgb high = Rgb::at(upper + left_at) * left + Rgb::at(upper + right_at) * right;
   return low * (1 - above) + high * above;
+}
+
+V3<double> bilinear(const Sheet& sheet, double u, double v) {
+  return between_four(sheet, folded(u, sheet.wrap_u), folded(v, sheet.wrap_v));
 }
 
 /// How wide an ellipse is, in texels, and its longer half axis.
@@ -93,20 +111,21 @@ V3<double> filtered(const PreparedTexture& t, const TexturePlace& at) {
   const Ellipse seen = ellipse(at, image);
   const double width = std::max({seen.narrow, seen.wide / kMostProbes, 1.0});
   const auto last = static_cast<double>(t.pyramid->levels() - 1);
-  const double level = std::min(elementary::log(width) * kPerLn2, last);
+  const double level = width > 1 ? std::min(elementary::log(width) * kPerLn2, last) : 0;
   const auto fine = static_cast<std::size_t>(level);
   const double coarser = level - std::floor(level);
 
-  const Sheet sheet = sheet_of(t, at, fine);
+  const Sheet sheet = sheet_of(t, at, fine),
+              coarse = sheet_of(t, at, coarser > 0 ? fine + 1 : fine);
   const double probes = std::clamp(std::ceil(seen.wide / width), 1.0, kMostProbes);
   const double along_u = 2 * seen.x / image.width, along_v = 2 * seen.y / image.height;
-  V3<double> sum{};
+  Rgb sum{};
   for (double i = 0.5; i < probes; ++i) {
     const double share = i / probes - 0.5;
-    const double u = at.point.x + share * along_u, v = at.point.y + share * along_v;
-    V3<double> probe = bilinear(sheet, u, v);
-    if (coarser > 0)
-      probe = probe * (1 - coarser) + bilinear(sheet_of(t, at, fine + 1), u, v) * coarser;
+    const double u = folded(at.point.x + share * along_u, sheet.wrap_u);
+    const double v = folded(at.point.y + share * along_v, sheet.wrap_v);
+    Rgb probe = between_four(sheet, u, v);
+    if (coarser > 0) probe = probe * (1 - coarser) + between_four(coarse, u, v) * coarser;
     sum = sum + probe;
   }
   return sum * (1 / probes);
@@ -126,17 +145,6 @@ void find_four(const ImageLevel& image, std::size_t level, double u, double v,
   four.at[2] = below, four.at[3] = below + right;
   four.right = x - static_cast<double>(i), four.below = y - static_cast<double>(j);
 }
-
-/// A colour of which two numbers are computed at a time, which every processor of 64 bits can.
-struct Rgb {
-  __extension__ typedef double Two __attribute__((vector_size(16)));
-  Two rg;
-  double b;
-
-  static Rgb at(const float* t) { return {Two{t[0], t[1]}, t[2]}; }
-  friend Rgb operator+(const Rgb& x, const Rgb& y) { return {x.rg + y.rg, x.b + y.b}; }
-  friend Rgb operator*(const Rgb& x, double s) { return {x.rg * Two{s, s}, x.b * s}; }
-};
 
 Rgb mixed_of(const ImageLevel& image, const ImageTaps::Four& four) {
   const auto at = [&](int i) { return Rgb::at(image.pixels + four.at[i]); };
@@ -203,7 +211,7 @@ TextureValue value_of_taps(const PreparedTexture& t, const ImageTaps& taps) {
   if (taps.coarser >= 0)
     value = value * (1 - taps.coarser) +
             mixed_of(t.levels[taps.coarse.level], taps.coarse) * taps.coarser;
-  return {value.rg[0], value.rg[1], value.b};
+  return V3<double>(value);
 }
 
 const TextureCode texture_kinds::image = {image_value, prepare_image, {"image", "slika"}};
