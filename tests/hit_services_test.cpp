@@ -7,8 +7,10 @@
 #include <cmath>
 #include <string_view>
 #include <vector>
+#include <zraka/optics.hpp>
 
 #include "core/random.hpp"
+#include "engine/general/steps.hpp"
 #include "math/elementary.hpp"
 #include "render/isa.hpp"
 #include "render/workspace.hpp"
@@ -25,7 +27,7 @@ constexpr std::size_t kHitSize = kHitCount;
 template <class R>
 struct LitHits {
   Random random{7};
-  WorkspaceMemory<R> memory{WorkspaceNeeds{.batch = kHitCount, .max_depth = 0, .general = true}};
+  WorkspaceMemory<R> memory;
   std::vector<R> rows;
   std::vector<double> numbers = std::vector<double>(5 * (kHitSize + kArrayPadding));
   ArrivingLight arriving{};
@@ -35,7 +37,10 @@ struct LitHits {
   Level<R>& level() { return memory.workspace().levels[0]; }
   R any() { return static_cast<R>(2 * random.unit() - 1); }
 
-  LitHits() {
+  /// `recorded`: with room for normals that no texture has bent.
+  explicit LitHits(bool recorded = false)
+      : memory(WorkspaceNeeds{
+            .batch = kHitCount, .max_depth = 0, .recorded = recorded, .general = true}) {
     double* const first = numbers.data();
     constexpr std::size_t kSize = kHitSize + kArrayPadding;
     arriving = {first, first + kSize, first + 2 * kSize, first + 3 * kSize, first + 4 * kSize};
@@ -183,6 +188,90 @@ void expect_exponentials(const Services<R>& services, std::string_view name) {
   EXPECT_FALSE(services.hits->find_exponentials(kHitSize, x.data(), powers.data())) << name;
 }
 
+/// Bends and children of hits in any order, by the formulas of single hits.
+template <class R>
+void expect_children(const Services<R>& services, bool recorded, std::string_view name) {
+  LitHits<R> hits(recorded);
+  Scratch<R>& s = hits.s();
+  ASSERT_EQ(s.smooth_x != nullptr, recorded);
+  using general::unit;
+  const auto wide = [](const R* x, const R* y, const R* z, std::size_t h) {
+    return V3<double>{double(x[h]), double(y[h]), double(z[h])};
+  };
+  constexpr std::size_t kRoom = kHitSize + kArrayPadding;
+  std::vector<std::int32_t> hit(kRoom);
+  std::vector<double> n1(kRoom, 1), n2(kRoom, 1), by(kRoom), ratio(kRoom), quarter_d(kRoom),
+      fresnel(kRoom);
+  constexpr double kIndices[] = {1, 1.33, 1.5, 2.4};
+  for (std::size_t h = 0; h < kHitSize; ++h) {
+    // Of unit length, or as textures leave them; some look past the viewer, some along the surface.
+    if (h % 4 != 0) {
+      const V3<double> n = unit(wide(s.nx, s.ny, s.nz, h)), v = unit(wide(s.vx, s.vy, s.vz, h));
+      s.nx[h] = R(n.x), s.ny[h] = R(n.y), s.nz[h] = R(n.z);
+      s.vx[h] = R(v.x), s.vy[h] = R(v.y), s.vz[h] = R(v.z);
+    }
+    if (h % 17 == 0) s.nx[h] = R(1), s.ny[h] = s.nz[h] = s.vx[h] = R(0), s.vy[h] = R(1);
+    s.mirror_side[h] = h % 5 == 0 ? R(-1) : R(1);
+    if (s.smooth_x != nullptr)
+      s.smooth_x[h] = s.nz[h], s.smooth_y[h] = s.nx[h], s.smooth_z[h] = s.ny[h];
+    hit[h] = static_cast<std::int32_t>(h * 19 % kHitSize);
+    n1[h] = kIndices[h % 4], n2[h] = kIndices[h / 4 % 4], by[h] = static_cast<double>(h % 3);
+  }
+  services.hits->find_bends(kHitSize, s,
+                            {hit.data(), n1.data(), n2.data(), by.data(), ratio.data(),
+                             quarter_d.data(), fresnel.data()});
+  std::size_t total = 0, in = 0;
+  for (std::size_t i = 0; i < kHitSize; ++i) {
+    const auto h = static_cast<std::size_t>(hit[i]);
+    const double cosine = std::fabs(dot(wide(s.vx, s.vy, s.vz, h), wide(s.nx, s.ny, s.nz, h)));
+    const double eta = n1[i] / n2[i], sine2 = eta * eta * (1 - cosine * cosine);
+    ASSERT_EQ(ratio[i], eta) << name;
+    ASSERT_EQ(quarter_d[i], eta * eta * cosine * cosine - eta * eta + 1) << name;
+    double wanted = 0;
+    const double root = sine2 < 1 ? std::sqrt(1 - sine2) : 0;
+    if (by[i] == static_cast<double>(Fresnel::exact)) {
+      const double across = (eta * cosine - root) / (eta * cosine + root);
+      const double along = (cosine - eta * root) / (cosine + eta * root);
+      wanted = sine2 < 1 ? 0.5 * (across * across + along * along) : 1;
+    } else if (by[i] == static_cast<double>(Fresnel::schlick)) {
+      const double straight = (eta - 1) / (eta + 1), f0 = straight * straight;
+      const double m = 1 - (eta > 1 ? root : cosine), m2 = m * m;
+      wanted = eta > 1 && !(sine2 < 1) ? 1 : f0 + (1 - f0) * (m2 * m2 * m);
+    }
+    ASSERT_EQ(fresnel[i], wanted) << name << " " << i << ": " << cosine << " " << eta;
+    total += !(quarter_d[i] >= 0), in += quarter_d[i] >= 0;
+    if (i % 7 == 0) quarter_d[i] = -1;  // a reflected child
+  }
+  EXPECT_GT(total, kHitSize / 20);
+  EXPECT_GT(in, kHitSize / 2);
+  const RayArrays<R>& rays = hits.level().rays;
+  const std::size_t n = kHitSize / 2;
+  services.hits->aim_children(n, s, {hit.data(), ratio.data(), quarter_d.data()}, 3,
+                              hits.level().rays);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto h = static_cast<std::size_t>(hit[i]);
+    const V3<double> normal = wide(s.nx, s.ny, s.nz, h), view = wide(s.vx, s.vy, s.vz, h);
+    const double seen = dot(view, normal);
+    const bool enters = quarter_d[i] >= 0;
+    const V3<double> turned = seen < 0 ? -normal : normal;
+    const V3<double> way =
+        unit(enters ? -(turned * (std::sqrt(quarter_d[i]) - ratio[i] * std::fabs(seen))) -
+                          view * ratio[i]
+                    : normal * (2 * seen) - view);
+    const V3<double> along =
+        s.smooth_x != nullptr ? wide(s.smooth_x, s.smooth_y, s.smooth_z, h) : normal;
+    const double side = enters ? -1 : static_cast<double>(s.mirror_side[h]);
+    const V3<double> from =
+        wide(s.px, s.py, s.pz, h) + along * (side * static_cast<double>(s.offset[h]));
+    ASSERT_EQ(rays.dx[i + 3], R(way.x)) << name << " " << i;
+    ASSERT_EQ(rays.dy[i + 3], R(way.y)) << name << " " << i;
+    ASSERT_EQ(rays.dz[i + 3], R(way.z)) << name << " " << i;
+    ASSERT_EQ(rays.ox[i + 3], R(from.x)) << name << " " << i;
+    ASSERT_EQ(rays.oy[i + 3], R(from.y)) << name << " " << i;
+    ASSERT_EQ(rays.oz[i + 3], R(from.z)) << name << " " << i;
+  }
+}
+
 /// Calls it with the services of all instruction sets, and their names.
 void with_all(const auto& function) {
   for (const Isa isa : available_isas()) function(*kernel_of(isa).services, name_of(isa));
@@ -199,6 +288,12 @@ TEST(HitServices, AddLightAsHitByHit) {
 
 TEST(HitServices, StartShadowRaysInDouble) {
   with_all([](const auto& services, std::string_view name) { expect_origins(services, name); });
+}
+
+TEST(HitServices, FindChildrenAsHitByHit) {
+  with_all([](const auto& services, std::string_view name) {
+    for (const bool recorded : {false, true}) expect_children(services, recorded, name);
+  });
 }
 
 TEST(HitServices, HaveTheBitsOfExp) {

@@ -9,7 +9,9 @@
 
 #include "engine/general/steps.hpp"
 #include "engine/general/wavelengths.hpp"
+#include "engine/hit_services.hpp"
 #include "render/prepare.hpp"
+#include "render/workspace.hpp"
 #include "scenes.hpp"
 
 namespace zraka {
@@ -61,22 +63,42 @@ TEST(GeneralEngine, AgreesWithTheLabsOnItsScenes) {
   }
 }
 
+/// Of light that comes at an angle, the share that is reflected; eta is n1/n2.
+double reflected_share(Fresnel by, double cosine, double eta) {
+  WorkspaceMemory<double> memory({.batch = 1, .max_depth = 0, .general = true});
+  Scratch<double>& hits = memory.workspace().scratch;
+  hits.nx[0] = 1, hits.ny[0] = hits.nz[0] = 0;
+  hits.vx[0] = cosine, hits.vy[0] = hits.vz[0] = 0;
+  constexpr std::size_t kRoom = 1 + kArrayPadding;
+  const std::int32_t hit[kRoom] = {};
+  double n1[kRoom] = {eta}, n2[kRoom] = {1}, kind[kRoom] = {static_cast<double>(by)};
+  double ratio[kRoom], quarter_d[kRoom], share[kRoom];
+  isa_oracle::kServices.hits->find_bends(1, hits, {hit, n1, n2, kind, ratio, quarter_d, share});
+  EXPECT_EQ(ratio[0], eta);
+  return share[0];
+}
+
 TEST(Fresnel, HasItsClosedForms) {
-  using general::fresnel_exact;
-  EXPECT_NEAR(fresnel_exact(1, 1 / 1.5), 0.04, 1e-15);
-  EXPECT_NEAR(fresnel_exact(1, 1.5), 0.04, 1e-15);
+  const auto exact = [](double cosine, double eta) {
+    return reflected_share(Fresnel::exact, cosine, eta);
+  };
+  const auto schlick = [](double cosine, double eta) {
+    return reflected_share(Fresnel::schlick, cosine, eta);
+  };
+  EXPECT_NEAR(exact(1, 1 / 1.5), 0.04, 1e-15);
+  EXPECT_NEAR(exact(1, 1.5), 0.04, 1e-15);
   // At Brewster's angle light along the plane is not reflected: half of the other's remains.
   const double brewster = std::atan(1.5), c = std::cos(brewster), other = std::sin(brewster);
   const double across = std::pow((c / 1.5 - other) / (c / 1.5 + other), 2);
-  EXPECT_NEAR(fresnel_exact(c, 1 / 1.5), across / 2, 1e-15);
-  EXPECT_EQ(fresnel_exact(std::cos(std::asin(1 / 1.5) + 1e-9), 1.5), 1);
-  EXPECT_LT(fresnel_exact(std::cos(std::asin(1 / 1.5) - 1e-6), 1.5), 1);
-  EXPECT_EQ(fresnel_exact(0, 1 / 1.5), 1);
+  EXPECT_NEAR(exact(c, 1 / 1.5), across / 2, 1e-15);
+  EXPECT_EQ(exact(std::cos(std::asin(1 / 1.5) + 1e-9), 1.5), 1);
+  EXPECT_LT(exact(std::cos(std::asin(1 / 1.5) - 1e-6), 1.5), 1);
+  EXPECT_EQ(exact(0, 1 / 1.5), 1);
   for (double angle = 0; angle < 1.5; angle += 0.01)
-    EXPECT_NEAR(general::fresnel_schlick(std::cos(angle), 1 / 1.5),
-                fresnel_exact(std::cos(angle), 1 / 1.5), 0.04);
-  EXPECT_NEAR(general::fresnel_schlick(1, 1.5), 0.04, 1e-15);
-  EXPECT_EQ(general::fresnel_schlick(0.5, 1.5), 1);
+    EXPECT_NEAR(schlick(std::cos(angle), 1 / 1.5), exact(std::cos(angle), 1 / 1.5), 0.04);
+  EXPECT_NEAR(schlick(1, 1.5), 0.04, 1e-15);
+  EXPECT_EQ(schlick(0.5, 1.5), 1);
+  EXPECT_EQ(reflected_share(Fresnel::off, 0.5, 1.5), 0);
 }
 
 TEST(Wavelengths, MakeWhiteTogether) {
@@ -102,7 +124,8 @@ TEST(Wavelengths, MakeWhiteTogether) {
 }
 
 TEST(Shares, CountPerChannel) {
-  Scene scene = narrow_scene({.ambient = {0.1, 0.1, 0.1}, .diffuse = {},
+  Scene scene = narrow_scene({.ambient = {0.1, 0.1, 0.1},
+                              .diffuse = {},
                               .reflection = Color{0.25, 0.5, 0.75},
                               .refraction = Color{0.5, 0.25, 0}});
   scene.background = {1, 0.5, 0.25};
@@ -114,8 +137,8 @@ TEST(Shares, CountPerChannel) {
 }
 
 TEST(Absorption, FollowsBeersLawThroughASlab) {
-  Scene scene = narrow_scene({.ambient = {}, .diffuse = {}, .refraction = 1, .ior = 1.3,
-                              .absorption = {0.1, 0.5, 2}});
+  Scene scene = narrow_scene(
+      {.ambient = {}, .diffuse = {}, .refraction = 1, .ior = 1.3, .absorption = {0.1, 0.5, 2}});
   scene.background = {1, 1, 1};
   scene.boxes.push_back({Box{{-5, -5, -2}, {5, 5, 0.5}}, 0});
   const auto seen = middle(rendered(scene));
@@ -129,8 +152,11 @@ TEST(Absorption, FollowsBeersLawThroughASlab) {
 }
 
 TEST(Highlights, AreBlinnsWhereAskedFor) {
-  Scene scene = narrow_scene({.ambient = {}, .diffuse = {}, .specular = {1, 1, 1},
-                              .shininess = 8, .highlight = Highlight::blinn});
+  Scene scene = narrow_scene({.ambient = {},
+                              .diffuse = {},
+                              .specular = {1, 1, 1},
+                              .shininess = 8,
+                              .highlight = Highlight::blinn});
   add_wall(scene, 0, 1, 0);
   scene.lights = {{{3, 0, 4}}};
   // H is halfway between (0.6, 0, 0.8) and (0, 0, 1).
@@ -295,8 +321,8 @@ TEST(TransparentShadows, LetThroughWhatATextureSays) {
   pattern.kind = TextureKind::checker;
   pattern.colors = {{0.25, 0.25, 0.25}, {0.25, 0.25, 0.25}};
   scene.textures = {pattern};
-  scene.materials.push_back({.ambient = {}, .diffuse = {}, .refraction = 1,
-                             .textures = {{Coefficient::refraction, 0}}});
+  scene.materials.push_back(
+      {.ambient = {}, .diffuse = {}, .refraction = 1, .textures = {{Coefficient::refraction, 0}}});
   add_wall(scene, 0, 1, 0);
   scene.lights = {{{30, 0, 40}}};
   scene.spheres.push_back({Sphere{{6, 0, 8}, 1}, 1});
@@ -342,8 +368,7 @@ TEST(TransparentShadows, OfSheetsDoNotDependOnTheirSide) {
   const RenderOptions options{.shadows = Shadows::transparent};
   for (const double side : {-1.0, 1.0}) {
     scene.parallelograms.resize(1);
-    scene.parallelograms.push_back(
-        {Parallelogram{{3, -side, 8}, {6, 0, 0}, {0, 2 * side, 0}}, 1});
+    scene.parallelograms.push_back({Parallelogram{{3, -side, 8}, {6, 0, 0}, {0, 2 * side, 0}}, 1});
     EXPECT_NEAR(middle(rendered(scene, options))[0], 0.8 * 0.8, 1e-6) << side;
   }
 }
@@ -357,7 +382,8 @@ TEST(TransparentShadows, StopAtWhatIsOpaqueInABody) {
     scene.lights = {{{30, 0, 40}}};
     Csg both{CsgOperation::unite, {}};
     both.of.push_back({Box{{5, -1, 7}, {7, 1, 9}}, 1, 0, ""});
-    both.of.push_back({Ellipsoid{{6 + where * 0.6, 0, 8 + where * 0.8}, {0.6, 0.6, 0.6}}, 2, 0, ""});
+    both.of.push_back(
+        {Ellipsoid{{6 + where * 0.6, 0, 8 + where * 0.8}, {0.6, 0.6, 0.6}}, 2, 0, ""});
     scene.csgs.push_back({std::move(both), 1});
     EXPECT_EQ(middle(rendered(scene, {.shadows = Shadows::transparent}))[0], 0) << where;
   }
@@ -365,10 +391,14 @@ TEST(TransparentShadows, StopAtWhatIsOpaqueInABody) {
 
 /// What has the index of what is around it cannot be seen, also where the eye is in it.
 TEST(Priorities, KnowWhatTheEyeIsInsideOf) {
-  Scene scene = narrow_scene({.ambient = {}, .diffuse = {}, .refraction = 1, .ior = 1.33,
-                              .absorption = {0.1, 0.1, 0.1}, .priority = 1});
-  scene.materials.push_back({.ambient = {}, .diffuse = {}, .refraction = 1, .ior = 1.33,
-                             .priority = 2});
+  Scene scene = narrow_scene({.ambient = {},
+                              .diffuse = {},
+                              .refraction = 1,
+                              .ior = 1.33,
+                              .absorption = {0.1, 0.1, 0.1},
+                              .priority = 1});
+  scene.materials.push_back(
+      {.ambient = {}, .diffuse = {}, .refraction = 1, .ior = 1.33, .priority = 2});
   scene.background = {1, 1, 1};
   scene.camera = {{0.3, 0, 4}, {0.3, 0, 0}, {0.001, 0, 0}, {0, 0.001, 0}};
   scene.boxes.push_back({Box{{-9, -9, -5}, {9, 9, 5}}, 0});
@@ -452,8 +482,8 @@ TEST(Dispersion, DeviatesEachWavelengthByThePrismsFormula) {
   const double incidence = 49 * kPi / 180, toward = 210 * kPi / 180 + kPi + incidence;
   const Vec3 on{std::cos(210 * kPi / 180), std::sin(210 * kPi / 180), 0};
   const Vec3 way{std::cos(toward), std::sin(toward), 0};
-  scene.camera = {{on.x - 5 * way.x, on.y - 5 * way.y, 0}, on, {0, 0, 1e-4},
-                  {-1e-4 * way.y, 1e-4 * way.x, 0}};
+  scene.camera = {
+      {on.x - 5 * way.x, on.y - 5 * way.y, 0}, on, {0, 0, 1e-4}, {-1e-4 * way.y, 1e-4 * way.x, 0}};
   RenderOptions options;
   options.max_depth = 2;
   options.wavelengths = 16;
@@ -513,9 +543,13 @@ TEST(GeneralEngine, HasTheSameBitsEverywhere) {
     m.ior = 1.2 + 0.1 * static_cast<double>(i % 5);
     m.refraction = Color{0.5, 0.6, 0.7};
   }
-  scene.lights.push_back({.position = {1, 3, 2}, .kind = LightKind::disc, .radius = 0.5, .samples = 4});
-  scene.lights.push_back({.position = {-1, 3, 2}, .kind = LightKind::sphere, .radius = 0.3, .samples = 3});
-  scene.lights.push_back({.position = {-1, 2, 3}, .kind = LightKind::spot, .attenuation = {1, 0.1, 0},
+  scene.lights.push_back(
+      {.position = {1, 3, 2}, .kind = LightKind::disc, .radius = 0.5, .samples = 4});
+  scene.lights.push_back(
+      {.position = {-1, 3, 2}, .kind = LightKind::sphere, .radius = 0.3, .samples = 3});
+  scene.lights.push_back({.position = {-1, 2, 3},
+                          .kind = LightKind::spot,
+                          .attenuation = {1, 0.1, 0},
                           .direction = {1, -1, -3}});
   scene.ambient_occlusion = {.samples = 8};
   scene.sky = {.kind = Sky::Kind::gradient, .bottom = {0.2, 0.1, 0}, .top = {0.3, 0.5, 1}};

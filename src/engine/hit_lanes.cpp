@@ -2,8 +2,10 @@
 // The general engine's steps at hits in lanes, to the bits that they have hit by hit: geometry in
 // doubles, colours in the engine's numbers. CMake compiles this file once for each instruction set,
 // like engine/kernel.cpp.
+#include "engine/fresnel.hpp"
 #include "engine/highlight.hpp"
 #include "engine/hit_services.hpp"
+#include "engine/indices.hpp"
 #include "engine/light.hpp"
 
 namespace zraka::ZRAKA_ISA {
@@ -185,6 +187,89 @@ bool find_exponentials(std::size_t n, const double* x, double* powers) {
   return unknown;
 }
 
+/// Numbers of hits that lanes name, in the parts of a register of the engine's.
+template <class L>
+struct NumbersAtHits {
+  Indices<L> hit;
+  ZRAKA_INLINE explicit NumbersAtHits(const std::int32_t* hits) : hit(L::load(hits)) {}
+  ZRAKA_INLINE void load(const typename L::Real* array, Doubles<L>& parts) const {
+    widen(hit.load(array), parts);
+  }
+};
+template <class L>
+struct VectorsAtHits {
+  Doubles<L> x, y, z;
+  ZRAKA_INLINE VectorsAtHits(const NumbersAtHits<L>& hits, const typename L::Real* of_x,
+                             const typename L::Real* of_y, const typename L::Real* of_z) {
+    hits.load(of_x, x), hits.load(of_y, y), hits.load(of_z, z);
+  }
+  ZRAKA_INLINE auto operator[](std::size_t part) const {
+    return V3<typename DoublesOf<L>::F>{x[part], y[part], z[part]};
+  }
+};
+
+template <class L>
+void find_bends(std::size_t n, const Scratch<typename L::Real>& scratch, const Bends& bends) {
+  using D = DoublesOf<L>;
+  using F = typename D::F;
+  for (std::size_t i = 0; i < n; i += L::kWidth) {
+    const NumbersAtHits<L> hits(bends.hit + i);
+    const VectorsAtHits<L> normal(hits, scratch.nx, scratch.ny, scratch.nz),
+        view(hits, scratch.vx, scratch.vy, scratch.vz);
+    for (std::size_t p = 0; p < kDoubleParts<L>; ++p) {
+      const std::size_t at = i + p * D::kWidth;
+      const F cosine = abs(dot(view[p], normal[p]));
+      const F ratio = D::load(bends.n1 + at) / D::load(bends.n2 + at);
+      D::store(ratio, bends.ratio + at);
+      D::store(ratio * ratio * cosine * cosine - ratio * ratio + F(1), bends.quarter_d + at);
+      D::store(reflected_share<D>(D::load(bends.by + at), cosine, ratio), bends.fresnel + at);
+    }
+  }
+}
+
+template <class L>
+void aim_children(std::size_t n, const Scratch<typename L::Real>& scratch, const GoingOn& children,
+                  std::size_t first, RayArrays<typename L::Real>& rays) {
+  using D = DoublesOf<L>;
+  using F = typename D::F;
+  // Rays leave the surface along the normal that no texture has bent.
+  const bool is_kept = scratch.smooth_x != nullptr;
+  for (std::size_t i = 0; i < n; i += L::kWidth) {
+    const NumbersAtHits<L> hits(children.hit + i);
+    const VectorsAtHits<L> point(hits, scratch.px, scratch.py, scratch.pz),
+        normal(hits, scratch.nx, scratch.ny, scratch.nz),
+        view(hits, scratch.vx, scratch.vy, scratch.vz);
+    Doubles<L> offset, mirror_side;
+    hits.load(scratch.offset, offset), hits.load(scratch.mirror_side, mirror_side);
+    VectorsAtHits<L> along = normal;
+    if (is_kept) along = {hits, scratch.smooth_x, scratch.smooth_y, scratch.smooth_z};
+    for (std::size_t p = 0; p < kDoubleParts<L>; ++p) {
+      const std::size_t at = i + p * D::kWidth;
+      const F ratio = D::load(children.ratio + at), quarter_d = D::load(children.quarter_d + at);
+      const auto enters = quarter_d >= F(0);
+      const V3<F> n_p = normal[p], v_p = view[p];
+      // A blended or bent normal may look past the viewer; that of refraction does not.
+      const F seen = dot(v_p, n_p);
+      V3<F> way = n_p * (F(2) * seen) - v_p;
+      if (any(enters)) {
+        const auto behind = seen < F(0);
+        const V3<F> turned{select(behind, -n_p.x, n_p.x), select(behind, -n_p.y, n_p.y),
+                           select(behind, -n_p.z, n_p.z)};
+        const V3<F> bent = -(turned * (sqrt(quarter_d) - ratio * abs(seen))) - v_p * ratio;
+        way = {select(enters, bent.x, way.x), select(enters, bent.y, way.y),
+               select(enters, bent.z, way.z)};
+      }
+      way = way * (F(1) / sqrt(dot(way, way)));
+      const F side = select(enters, F(-1), mirror_side[p]);
+      const V3<F> origin = point[p] + along[p] * (side * offset[p]);
+      const std::size_t to = first + at;
+      D::store_reals(origin.x, rays.ox + to), D::store_reals(origin.y, rays.oy + to);
+      D::store_reals(origin.z, rays.oz + to), D::store_reals(way.x, rays.dx + to);
+      D::store_reals(way.y, rays.dy + to), D::store_reals(way.z, rays.dz + to);
+    }
+  }
+}
+
 template <class L>
 void bring_back(const BroughtBack<typename L::Real>& brings, bool clamps,
                 Level<typename L::Real>& level) {
@@ -226,7 +311,8 @@ using Lanes = ScalarLanes<double>;
 
 extern const HitServices<Lanes::Real> kHitServices;
 const HitServices<Lanes::Real> kHitServices = {
-    start_shadow_rays<Lanes>, start_light<Lanes>,       find_shines<Lanes>, list_facing<Lanes>,
-    add_arriving<Lanes>,      find_exponentials<Lanes>, bring_back<Lanes>};
+    start_shadow_rays<Lanes>, start_light<Lanes>,  find_shines<Lanes>,
+    list_facing<Lanes>,       add_arriving<Lanes>, find_exponentials<Lanes>,
+    find_bends<Lanes>,        aim_children<Lanes>, bring_back<Lanes>};
 
 }  // namespace zraka::ZRAKA_ISA

@@ -17,6 +17,22 @@ struct BroughtBack {
   V3<R> fog;
 };
 
+/// Light that goes into bodies: n entries, each with a hit and one wavelength or all.
+struct Bends {
+  const std::int32_t* hit;  ///< kArrayPadding more are read
+  const double *n1, *n2;    ///< in front of the surface and behind it
+  const double* by;         ///< who says what is reflected: a value of Fresnel
+  double *ratio,
+      *quarter_d;   ///< n1/n2, and a quarter of Snell's discriminant: below 0, all is reflected
+  double* fresnel;  ///< the share that is reflected
+};
+
+/// What goes on from hits: reflected where quarter_d is below 0, else bent as Bends says.
+struct GoingOn {
+  const std::int32_t* hit;  ///< kArrayPadding more are read
+  const double *ratio, *quarter_d;
+};
+
 /// Light is that of lights with one sample.
 template <class R>
 struct HitServices {
@@ -39,6 +55,12 @@ struct HitServices {
   /// e^x of n numbers, to elementary::exp()'s bits; -1 where that has to be asked for by itself.
   /// Whether it has anywhere.
   bool (*find_exponentials)(std::size_t n, const double* x, double* powers);
+  /// How n entries bend.
+  void (*find_bends)(std::size_t n, const Scratch<R>& scratch, const Bends& bends);
+  /// Rays of n children, the first of them in the place `first`; up to kArrayPadding behind the
+  /// last have any values then.
+  void (*aim_children)(std::size_t n, const Scratch<R>& scratch, const GoingOn& children,
+                       std::size_t first, RayArrays<R>& rays);
   /// The colours of the rays of all hits.
   void (*bring_back)(const BroughtBack<R>& brings, bool clamps, Level<R>& level);
 };

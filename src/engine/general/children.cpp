@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Children of the general engine's hits: the shares by Fresnel, the directions by Snell, one for
 // each wavelength where a body is dispersive; and what is not worth tracing (sheet 8.3).
+#include <algorithm>
+#include <utility>
+
 #include "engine/coefficients.hpp"
 #include "engine/general/steps.hpp"
 #include "materials/dispersion.hpp"
@@ -9,35 +12,7 @@
 
 namespace zraka::general {
 
-double fresnel_exact(double cosine, double eta) {
-  const double sine2 = eta * eta * (1 - cosine * cosine);
-  if (!(sine2 < 1)) return 1;
-  const double other = std::sqrt(1 - sine2);
-  // Divided by n2: r across = (n1·cosα - n2·cosβ)/(n1·cosα + n2·cosβ), r along likewise.
-  const double across = (eta * cosine - other) / (eta * cosine + other);
-  const double along = (cosine - eta * other) / (cosine + eta * other);
-  return 0.5 * (across * across + along * along);
-}
-
-double fresnel_schlick(double cosine, double eta) {
-  double c = cosine;
-  if (eta > 1) {
-    const double sine2 = eta * eta * (1 - cosine * cosine);
-    if (!(sine2 < 1)) return 1;
-    c = std::sqrt(1 - sine2);
-  }
-  const double straight = (eta - 1) / (eta + 1), f0 = straight * straight;
-  const double m = 1 - c, m2 = m * m;
-  return f0 + (1 - f0) * (m2 * m2 * m);
-}
-
 namespace {
-
-/// Snell's law at a hit, for one wavelength.
-struct Bend {
-  double n1, n2, ratio, quarter_d, fresnel;
-  bool total() const { return !(quarter_d >= 0); }
-};
 
 double index_of(const OpticalMaterial* materials, std::int32_t material, double um) {
   if (material < 0) return 1;
@@ -45,178 +20,279 @@ double index_of(const OpticalMaterial* materials, std::int32_t material, double 
   return m.is_dispersive() && um > 0 ? refractive_index(m.dispersion, m.ior, um) : m.ior;
 }
 
-/// `um` is 0 for white light.
-template <class R>
-Bend bend_at(const Batch<R>& batch, std::size_t h, double cosine, double um) {
-  const FrozenOptics& optics = batch.optics();
-  const OpticalMaterial* const materials = optics.materials;
-  const OpticalMaterial& material = batch.material(h);
-  const std::int32_t own = batch.scratch.material[h];
-  const bool from_inside = batch.from_inside(h);
-  Bend bend{1, 1, 1, 0, 0};
-  if (optics.nested && !optics.index_is_ratio && batch.hits[h].enclosing) {
-    Inside with = batch.inside_of(h), without = with;
-    with.enter({batch.hits[h].body, own});
-    without.leave(batch.hits[h].body);
-    const double n_with = index_of(materials, medium_of(with, materials), um);
-    const double n_without = index_of(materials, medium_of(without, materials), um);
-    bend.n1 = from_inside ? n_with : n_without;
-    bend.n2 = from_inside ? n_without : n_with;
-  } else {
-    const double n = index_of(materials, own, um);
-    // The lab's ni is n1/n2 on entry.
-    const bool dense = from_inside != optics.index_is_ratio;
-    bend.n1 = dense ? n : 1;
-    bend.n2 = dense ? 1 : n;
-  }
-  bend.ratio = bend.n1 / bend.n2;
-  bend.quarter_d = bend.ratio * bend.ratio * cosine * cosine - bend.ratio * bend.ratio + 1;
-  if (material.fresnel == Fresnel::exact)
-    bend.fresnel = fresnel_exact(std::fabs(cosine), bend.ratio);
-  if (material.fresnel == Fresnel::schlick)
-    bend.fresnel = fresnel_schlick(std::fabs(cosine), bend.ratio);
-  return bend;
-}
-
-/// Appends a child, if it is worth it; its index among the hit's, or -1.
+/// Finds the children of hits, of some at a time: lanes say how light bends there, then each hit
+/// what its children count, and lanes where these go.
 template <class R>
 class Spawner {
  public:
-  Spawner(const Batch<R>& batch, Level<R>& next, RayState<R>* rays, Inside* insides)
-      : batch_(batch), next_(next), rays_(rays), insides_(insides) {}
+  Spawner(const Batch<R>& batch, Level<R>& next, RayState<R>* rays, Inside* insides,
+          bool names_children)
+      : batch_(batch),
+        next_(next),
+        rays_(rays),
+        insides_(insides),
+        of_(batch.general.spawning),
+        named_{names_children ? batch.level.hits.reflected : nullptr,
+               names_children ? batch.level.hits.refracted : nullptr} {}
 
-  bool add(std::size_t h, RayKind kind, const V3<R>& share, const V3<double>& direction,
-           std::int32_t wavelength) {
-    HitState<R>& hit = batch_.hits[h];
-    const RayState<R>& parent = batch_.ray_of(h);
-    const V3<R> seen =
-        batch_.has_media() ? parent.weight * batch_.transmittance_of(h) : parent.weight;
-    const V3<R> weight = seen * share;
-    const TraceSettings& settings = batch_.settings;
-    const V3<R>& counts = settings.cut_by_share ? share : weight;
-    if (settings.min_contribution > 0 &&
-        static_cast<double>(most_size(counts)) * settings.brightest < settings.min_contribution) {
-      const auto brightest = static_cast<R>(settings.brightest);
-      hit.missing = hit.missing +
-                    V3<R>{std::fabs(share.x), std::fabs(share.y), std::fabs(share.z)} * brightest;
-      ++batch_.counts.cut;
-      return false;
+  void spawn_all() {
+    const std::vector<std::int32_t>& parents = batch_.columns.parents;
+    const int most_ways = std::max(1, batch_.settings.wavelengths.count);
+    for (std::size_t first = 0; first < parents.size();) {
+      std::size_t end = first;
+      int bends = 0;
+      for (; end < parents.size() && bends + most_ways <= Spawning::kMost &&
+             end - first < Spawning::kMost;
+           ++end)
+        add_bends(static_cast<std::size_t>(parents[end]), bends);
+      spawn_of(parents.data() + first, end - first, bends);
+      first = end;
     }
-    const auto at = static_cast<std::size_t>(next_.ray_count++);
-    const double side =
-        kind == RayKind::reflected ? static_cast<double>(batch_.scratch.mirror_side[h]) : -1;
-    const V3<double> origin = batch_.point(h) + batch_.smooth_normal(h) * (side * batch_.offset(h));
-    const V3<double> way = unit(direction);
-    next_.rays.ox[at] = static_cast<R>(origin.x), next_.rays.oy[at] = static_cast<R>(origin.y);
-    next_.rays.oz[at] = static_cast<R>(origin.z), next_.rays.dx[at] = static_cast<R>(way.x);
-    next_.rays.dy[at] = static_cast<R>(way.y), next_.rays.dz[at] = static_cast<R>(way.z);
-    RayState<R>& ray = rays_[at];
-    ray.share = share;
-    ray.weight = weight;
-    ray.cut = R(0);
-    if (batch_.general.draws)
-      ray.key = hash(parent.key, static_cast<std::uint32_t>(hit.child_count) + 1u);
-    ray.sample = parent.sample;
-    ray.wavelength = wavelength;
-    ray.kind = kind;
-    // What is seen of a cap for the eye only is as if all rays knew of it.
-    ray.sees_cuts = hit.cap >= 0 && batch_.optics().cuts[hit.cap].eye_only;
-    if (batch_.has_media()) {
-      Inside& inside = insides_[at] = batch_.inside_of(h);
-      if (kind == RayKind::refracted && hit.enclosing) {
-        if (batch_.from_inside(h))
-          inside.leave(hit.body);
-        else
-          inside.enter({hit.body, batch_.scratch.material[h]});
-      }
-    }
-    ++hit.child_count;
-    kind == RayKind::reflected ? ++batch_.counts.reflected : ++batch_.counts.refracted;
-    return true;
   }
 
  private:
+  /// What hits of one material have in common.
+  struct Surface {
+    const OpticalMaterial* material;
+    V3<R> k1, k2, reflection, refraction;  ///< the latter without what a stage leaves out
+    bool has_children, refracts, by_fresnel, splits;
+  };
+  /// A child that may be worth it.
+  struct Part {
+    V3<R> share;
+    int bend;  ///< -1: it is reflected
+    std::int32_t wavelength;
+  };
+
+  const Surface& surface_at(std::size_t h) {
+    const std::int32_t material = batch_.scratch.material[h];
+    if (material != known_material_) learn_surface(h, material);
+    return surface_;
+  }
+
+  void learn_surface(std::size_t h, std::int32_t number) {
+    const OpticalMaterial& material = batch_.optics().materials[number];
+    const Terms& terms = batch_.settings.terms;
+    Surface& s = surface_;
+    s.material = &material;
+    s.k1 = reflection_of(material, batch_.row(h));
+    s.k2 = refraction_of(material, batch_.row(h));
+    s.reflection = terms.reflection ? s.k1 : V3<R>{};
+    s.refraction = terms.refraction ? s.k2 : V3<R>{};
+    s.has_children = batch_.listens() || !is_zero(s.k1) || !is_zero(s.k2);
+    s.refracts = !is_zero(s.refraction);
+    s.by_fresnel = material.fresnel != Fresnel::off;
+    s.splits = material.is_dispersive() && batch_.settings.wavelengths.count > 1;
+    // Where textures say what goes on, each hit has its own.
+    known_material_ = material.textured_k1 || material.textured_k2 ? -1 : number;
+  }
+
+  double index_at(std::int32_t material, std::int32_t wavelength) {
+    const OpticalMaterial* const materials = batch_.optics().materials;
+    if (material < 0 || wavelength < 0 || !materials[material].is_dispersive())
+      return index_of(materials, material, 0);
+    const Wavelengths& waves = batch_.settings.wavelengths;
+    if (material != indexed_) {
+      std::fill_n(indices_, waves.count, -1.0);
+      indexed_ = material;
+    }
+    double& index = indices_[wavelength];
+    if (!(index >= 0)) index = index_of(materials, material, waves.um[wavelength]);
+    return index;
+  }
+
+  int ways_of(const Surface& surface, std::int32_t wavelength) const {
+    if (!surface.refracts) return 0;
+    return surface.splits && wavelength < 0 ? batch_.settings.wavelengths.count : 1;
+  }
+
+  /// A hit's bends; they are known after the service has been called.
+  void add_bends(std::size_t h, int& bends) {
+    const Surface& surface = surface_at(h);
+    if (!surface.refracts) return;
+    const std::int32_t wavelength = surface.splits ? batch_.ray_of(h).wavelength : -1;
+    const int ways = ways_of(surface, wavelength);
+    const FrozenOptics& optics = batch_.optics();
+    const std::int32_t own = batch_.scratch.material[h];
+    const bool from_inside = batch_.from_inside(h);
+    std::int32_t in_front = from_inside ? own : -1, behind = from_inside ? -1 : own;
+    if (optics.nested && !optics.index_is_ratio && batch_.hits[h].enclosing) {
+      Inside with = batch_.inside_of(h), without = with;
+      with.enter({batch_.hits[h].body, own});
+      without.leave(batch_.hits[h].body);
+      in_front = medium_of(from_inside ? with : without, optics.materials);
+      behind = medium_of(from_inside ? without : with, optics.materials);
+    } else if (optics.index_is_ratio) {
+      std::swap(in_front, behind);  // the lab's ni is n1/n2 on entry
+    }
+    for (int i = 0; i < ways; ++i, ++bends) {
+      const std::int32_t of = ways > 1 ? i : batch_.ray_of(h).wavelength;
+      of_.hit[bends] = static_cast<std::int32_t>(h);
+      of_.n1[bends] = index_at(in_front, of), of_.n2[bends] = index_at(behind, of);
+      of_.by[bends] = static_cast<double>(surface.material->fresnel);
+    }
+  }
+
+  /// Children of n parents, which have so many bends.
+  void spawn_of(const std::int32_t* parents, std::size_t n, int bends) {
+    const HitServices<R>& services = *batch_.services.hits;
+    if (bends > 0)
+      services.find_bends(static_cast<std::size_t>(bends), batch_.scratch,
+                          {of_.hit, of_.n1, of_.n2, of_.by, of_.ratio, of_.quarter_d, of_.fresnel});
+    const auto first = static_cast<std::size_t>(next_.ray_count);
+    int bend = 0, children = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto h = static_cast<std::size_t>(parents[i]);
+      if (const Surface& surface = surface_at(h); surface.has_children)
+        spawn_at(h, surface, bend, children);
+    }
+    if (children > 0)
+      services.aim_children(static_cast<std::size_t>(children), batch_.scratch,
+                            {of_.child_hit, of_.child_ratio, of_.child_quarter_d}, first,
+                            next_.rays);
+  }
+
+  bool is_total(int bend) const { return !(of_.quarter_d[bend] >= 0); }
+
+  ZRAKA_INLINE void spawn_at(std::size_t h, const Surface& surface, int& bend, int& children) {
+    const TraceSettings& settings = batch_.settings;
+    const RayState<R>& ray = batch_.ray_of(h);
+    const int first = bend, ways = ways_of(surface, ray.wavelength);
+    bend += ways;
+    V3<R> reflection = surface.reflection;
+    Part parts[kMaxWavelengths + 1];
+    int count = 1;  // the first is reflected
+    for (int i = 0; i < ways; ++i) {
+      V3<R> share = surface.refraction;
+      if (ways > 1)
+        share = share * V3<R>{static_cast<R>(settings.wavelengths.weight[i][0]),
+                              static_cast<R>(settings.wavelengths.weight[i][1]),
+                              static_cast<R>(settings.wavelengths.weight[i][2])};
+      if (is_total(first + i)) {
+        if (settings.mirror_when_total || surface.by_fresnel) reflection = reflection + share;
+        continue;
+      }
+      if (surface.by_fresnel) {
+        const auto f = static_cast<R>(of_.fresnel[first + i]);
+        reflection = reflection + share * f;
+        share = share * (R(1) - f);
+      }
+      parts[count++] = {share, first + i, ways > 1 ? i : ray.wavelength};
+    }
+    // A stage without reflection has none that refraction brings, either.
+    if (!settings.terms.reflection && !settings.mirror_when_total) reflection = V3<R>{};
+    parts[0] = {reflection, -1, ray.wavelength};
+    add_parts(h, ray, parts, count, children);
+    if (batch_.listens()) tell(h, surface, first, ways, parts, count);
+  }
+
+  /// Appends those that are worth it.
+  ZRAKA_INLINE void add_parts(std::size_t h, const RayState<R>& parent, const Part* parts,
+                              int count, int& children) {
+    HitState<R>& hit = batch_.hits[h];
+    const bool media = batch_.has_media(), draws = batch_.general.draws;
+    const bool cuts = batch_.settings.min_contribution > 0;
+    const V3<R> seen = media ? parent.weight * batch_.transmittance_of(h) : parent.weight;
+    // What is seen of a cap for the eye only is as if all rays knew of it.
+    const bool sees_cuts = hit.cap >= 0 && batch_.optics().cuts[hit.cap].eye_only;
+    const std::int32_t first = next_.ray_count;
+    std::int32_t at = first;
+    for (int i = 0; i < count; ++i) {
+      const Part& part = parts[i];
+      if (is_zero(part.share)) continue;
+      const V3<R> weight = seen * part.share;
+      const bool enters = part.bend >= 0;
+      if (cuts && is_cut(hit, part.share, weight, enters)) continue;
+      of_.child_hit[children] = static_cast<std::int32_t>(h);
+      of_.child_ratio[children] = enters ? of_.ratio[part.bend] : 0;
+      of_.child_quarter_d[children] = enters ? of_.quarter_d[part.bend] : -1;
+      ++children;
+      RayState<R>& ray = rays_[at];
+      ray.share = part.share;
+      ray.weight = weight;
+      ray.cut = R(0);
+      if (draws) ray.key = hash(parent.key, static_cast<std::uint32_t>(at - first) + 1u);
+      ray.sample = parent.sample;
+      ray.wavelength = part.wavelength;
+      ray.kind = enters ? RayKind::refracted : RayKind::reflected;
+      ray.sees_cuts = sees_cuts;
+      if (media) enter_media(h, hit, enters, insides_[at]);
+      if (named_[enters] != nullptr) named_[enters][h] = at;
+      ++(enters ? batch_.counts.refracted : batch_.counts.reflected);
+      ++at;
+    }
+    hit.first_child = first;
+    hit.child_count = at - first;
+    next_.ray_count = at;
+  }
+
+  bool is_cut(HitState<R>& hit, const V3<R>& share, const V3<R>& weight, bool enters) const {
+    const TraceSettings& settings = batch_.settings;
+    const V3<R>& counts = settings.cut_by_share ? share : weight;
+    if (!(static_cast<double>(most_size(counts)) * settings.brightest < settings.min_contribution))
+      return false;
+    const auto brightest = static_cast<R>(settings.brightest);
+    hit.missing =
+        hit.missing + V3<R>{std::fabs(share.x), std::fabs(share.y), std::fabs(share.z)} * brightest;
+    ++batch_.counts.cut;
+    (enters ? hit.refracted_cut : hit.reflected_cut) = true;
+    return true;
+  }
+
+  ZRAKA_INLINE void enter_media(std::size_t h, const HitState<R>& hit, bool enters,
+                                Inside& inside) const {
+    inside = batch_.inside_of(h);
+    if (!enters || !hit.enclosing) return;
+    if (batch_.from_inside(h))
+      inside.leave(hit.body);
+    else
+      inside.enter({hit.body, batch_.scratch.material[h]});
+  }
+
+  /// What explanations say of a hit, of its middle wavelength where it has several.
+  void tell(std::size_t h, const Surface& surface, int first, int ways, const Part* parts,
+            int count) const {
+    HitState<R>& hit = batch_.hits[h];
+    hit.k1 = surface.k1, hit.k2 = surface.k2;
+    hit.cosine = std::fabs(dot(batch_.view(h), batch_.normal(h)));
+    hit.ratio = hit.n1 = hit.n2 = 1;
+    hit.refracts = ways > 0;
+    hit.split = ways > 1;
+    hit.reflection = parts[0].share;
+    hit.refraction = {};
+    for (int i = 1; i < count; ++i) hit.refraction = hit.refraction + parts[i].share;
+    if (ways == 0) return;
+    const int bend = first + ways / 2;
+    hit.n1 = of_.n1[bend], hit.n2 = of_.n2[bend];
+    hit.ratio = of_.ratio[bend], hit.quarter_d = of_.quarter_d[bend];
+    hit.fresnel = of_.fresnel[bend];
+    hit.total = is_total(bend);
+  }
+
   const Batch<R>& batch_;
   Level<R>& next_;
   RayState<R>* rays_;
   Inside* insides_;
+  Spawning& of_;
+  std::int32_t* named_[2];  ///< HitArrays::reflected and refracted; nullptr: nobody asks
+  std::int32_t known_material_ = -1;
+  Surface surface_;
+  // The indices that are known of a material, by wavelength; -1: not yet.
+  std::int32_t indexed_ = -1;
+  double indices_[kMaxWavelengths];
 };
 
+/// Lanes take the normals of all hits from where those are kept that textures have bent.
 template <class R>
-void spawn_at(const Batch<R>& batch, std::size_t h, Spawner<R>& spawner, Level<R>& next) {
-  const Terms& terms = batch.settings.terms;
-  const TraceSettings& settings = batch.settings;
-  const OpticalMaterial& material = batch.material(h);
-  const RayState<R>& ray = batch.ray_of(h);
-  HitState<R>& hit = batch.hits[h];
-  hit.first_child = next.ray_count;
-  hit.k1 = reflection_of(material, batch.row(h));
-  hit.k2 = refraction_of(material, batch.row(h));
-  V3<R> reflection = terms.reflection ? hit.k1 : V3<R>{};
-  const V3<R> refraction = terms.refraction ? hit.k2 : V3<R>{};
-  const V3<double> normal = batch.normal(h), view = batch.view(h);
-  // A blended or bent normal may look past the viewer; that of refraction does not.
-  const double seen = dot(view, normal), cosine = std::fabs(seen);
-  const V3<double> turned = seen < 0 ? -normal : normal;
-  hit.cosine = cosine;
-  hit.ratio = hit.n1 = hit.n2 = 1;
-  hit.refracts = !is_zero(refraction);
-  const Wavelengths& waves = settings.wavelengths;
-  const bool split =
-      hit.refracts && ray.wavelength < 0 && material.is_dispersive() && waves.count > 1;
-  hit.split = split;
-
-  // The parts of the light that go in, each with its share.
-  struct Part {
-    Bend bend;
-    V3<R> share;
-    std::int32_t wavelength;
-  };
-  Part parts[kMaxWavelengths];
-  int count = 0;
-  if (hit.refracts) {
-    const int ways = split ? waves.count : 1;
-    for (int i = 0; i < ways; ++i) {
-      const std::int32_t wavelength = split ? i : ray.wavelength;
-      const Bend bend = bend_at(batch, h, cosine, wavelength < 0 ? 0.0 : waves.um[wavelength]);
-      V3<R> share = refraction;
-      if (split)
-        share =
-            share * V3<R>{static_cast<R>(waves.weight[i][0]), static_cast<R>(waves.weight[i][1]),
-                          static_cast<R>(waves.weight[i][2])};
-      if (i == ways / 2) {
-        hit.ratio = bend.ratio, hit.quarter_d = bend.quarter_d, hit.fresnel = bend.fresnel;
-        hit.n1 = bend.n1, hit.n2 = bend.n2;
-        hit.total = bend.total();
-      }
-      const bool by_fresnel = material.fresnel != Fresnel::off;
-      if (bend.total()) {
-        if (settings.mirror_when_total || by_fresnel) reflection = reflection + share;
-        continue;
-      }
-      if (by_fresnel) {
-        const auto f = static_cast<R>(bend.fresnel);
-        reflection = reflection + share * f;
-        share = share * (R(1) - f);
-      }
-      parts[count++] = {bend, share, wavelength};
-    }
-  }
-  // A stage without reflection has none that refraction brings, either.
-  if (!terms.reflection && !settings.mirror_when_total) reflection = V3<R>{};
-  hit.reflection = reflection;
-  if (!is_zero(reflection))
-    hit.reflected_cut = !spawner.add(h, RayKind::reflected, reflection,
-                                     normal * (2 * seen) - view, ray.wavelength);
-  hit.refraction = {};
-  for (int i = 0; i < count; ++i) {
-    const Part& part = parts[i];
-    hit.refraction = hit.refraction + part.share;
-    const double a = std::sqrt(part.bend.quarter_d) - part.bend.ratio * cosine;
-    if (!is_zero(part.share) &&
-        !spawner.add(h, RayKind::refracted, part.share, -(turned * a) - view * part.bend.ratio,
-                     part.wavelength))
-      hit.refracted_cut = true;
+void keep_other_normals(const Batch<R>& batch) {
+  const Scratch<R>& scratch = batch.scratch;
+  if (scratch.smooth_x == nullptr) return;
+  for (const std::int32_t parent : batch.columns.parents) {
+    const auto h = static_cast<std::size_t>(parent);
+    if (batch.is_bent(h)) continue;
+    scratch.smooth_x[h] = scratch.nx[h];
+    scratch.smooth_y[h] = scratch.ny[h];
+    scratch.smooth_z[h] = scratch.nz[h];
   }
 }
 
@@ -224,25 +300,14 @@ void spawn_at(const Batch<R>& batch, std::size_t h, Spawner<R>& spawner, Level<R
 
 template <class R>
 void spawn(const Batch<R>& batch, Level<R>& next, RayState<R>* next_rays, Inside* next_insides) {
-  Spawner<R> spawner(batch, next, next_rays, next_insides);
-  HitArrays<R>& hits = batch.level.hits;
+  const HitArrays<R>& hits = batch.level.hits;
   const bool names_children = batch.listens() || batch.scene.textures != nullptr;
   if (names_children) {
     std::fill_n(hits.reflected, batch.hit_count(), -1);
     std::fill_n(hits.refracted, batch.hit_count(), -1);
   }
-  for (const std::int32_t parent : batch.columns.parents) {
-    const auto h = static_cast<std::size_t>(parent);
-    HitState<R>& hit = batch.hits[h];
-    const OpticalMaterial& material = batch.material(h);
-    if (!batch.listens() && is_zero(reflection_of(material, batch.row(h))) &&
-        is_zero(refraction_of(material, batch.row(h))))
-      continue;
-    spawn_at(batch, h, spawner, next);
-    if (!names_children) continue;
-    for (std::int32_t c = hit.first_child; c < hit.first_child + hit.child_count; ++c)
-      (next_rays[c].kind == RayKind::reflected ? hits.reflected : hits.refracted)[h] = c;
-  }
+  keep_other_normals(batch);
+  Spawner<R>(batch, next, next_rays, next_insides, names_children).spawn_all();
   if (batch.scene.textures == nullptr) return;
   spread_cones(batch.level, batch.scratch, next);
   // All wavelengths have the cone of the last.

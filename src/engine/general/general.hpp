@@ -61,8 +61,8 @@ struct RayState {
   V3<R> share;   ///< of its colour in its parent's
   V3<R> weight;  ///< in the pixel's: the product of the shares on the way
   R cut;         ///< at most so much is missing of its colour, for children that were not traced
-  std::uint32_t key;     ///< of its random numbers
-  std::uint32_t sample;  ///< of its pixel
+  std::uint32_t key;        ///< of its random numbers
+  std::uint32_t sample;     ///< of its pixel
   std::int32_t wavelength;  ///< which of TraceSettings::wavelengths; -1: all
   RayKind kind;
   bool sees_cuts;  ///< those for the eye only, too
@@ -72,20 +72,20 @@ struct RayState {
 template <class R>
 struct HitState {
   V3<R> transmittance;  ///< of the way from the ray's origin, through what it is inside of
-  V3<R> missing;        ///< per channel, at most: the shares of children not traced, times their most
+  V3<R> missing;  ///< per channel, at most: the shares of children not traced, times their most
   std::int32_t first_child, child_count;
   std::uint64_t body;
-  bool enclosing;  ///< has an inside that rays can be in
+  bool enclosing;    ///< has an inside that rays can be in
   std::int32_t cap;  ///< the cut whose plane it lies in, where that has opened its body; -1: none
-  R clear;         ///< what fog leaves of its colour over that length
+  R clear;           ///< what fog leaves of its colour over that length
   V3<R> beyond_reflected, beyond_refracted;  ///< the sky's, in place of children that are too deep
   // For explanations.
-  V3<R> sum;              ///< local light and children, before clamping and transmittance
+  V3<R> sum;  ///< local light and children, before clamping and transmittance
   std::int32_t material;
   double cosine, ratio, quarter_d, fresnel;
-  std::int32_t medium;  ///< whose inside the ray came through: a material; -1: none
-  double n1, n2;        ///< what ratio is the quotient of; 1 where unknown
-  V3<R> k1, k2;         ///< before Fresnel
+  std::int32_t medium;           ///< whose inside the ray came through: a material; -1: none
+  double n1, n2;                 ///< what ratio is the quotient of; 1 where unknown
+  V3<R> k1, k2;                  ///< before Fresnel
   V3<R> reflection, refraction;  ///< the children's shares
   bool refracts, total, reflected_cut, refracted_cut, split;
 };
@@ -143,8 +143,8 @@ class Listener {
 template <class R>
 struct Waiting {
   std::vector<double> l_n;
-  std::vector<R> strength;          ///< what distance and cone leave of the light
-  std::vector<double> highlight;    ///< where its hit shines at all
+  std::vector<R> strength;           ///< what distance and cone leave of the light
+  std::vector<double> highlight;     ///< where its hit shines at all
   std::vector<std::int32_t> sample;  ///< of a light's; where somebody listens
   /// What SampleKeys points to, of samples that have not been drawn yet.
   std::vector<std::uint32_t> shuffle, u, v, number;
@@ -176,9 +176,24 @@ struct WalkHistory {
 /// What the fold needs of all hits of a level's batch.
 template <class R>
 struct FoldColumns {
-  std::vector<R> transmittance[3];  ///< HitState's, in scenes with media
-  std::vector<R> clear;             ///< and with fog
+  std::vector<R> transmittance[3];    ///< HitState's, in scenes with media
+  std::vector<R> clear;               ///< and with fog
   std::vector<std::int32_t> parents;  ///< hits that may have children: those with a HitState
+};
+
+/// Of hits whose children are found together, what Bends and GoingOn point to.
+struct Spawning {
+  static constexpr int kMost = 128;  ///< bends, and hits; they all stay near the processor
+  static constexpr int kMostChildren = 2 * kMost;  ///< a reflected one a hit
+  static constexpr int kPadding = static_cast<int>(kArrayPadding);
+  static_assert(kMost >= kMaxWavelengths);
+  std::int32_t hit[kMost + kPadding] = {};
+  double n1[kMost + kPadding] = {}, n2[kMost + kPadding] = {}, by[kMost + kPadding] = {};
+  double ratio[kMost + kPadding] = {}, quarter_d[kMost + kPadding] = {};
+  double fresnel[kMost + kPadding] = {};
+  std::int32_t child_hit[kMostChildren + kPadding] = {};
+  double child_ratio[kMostChildren + kPadding] = {};
+  double child_quarter_d[kMostChildren + kPadding] = {};
 };
 
 /// One thread's memory beside its Workspace.
@@ -196,14 +211,15 @@ struct GeneralWorkspace {
   std::vector<std::int32_t> absorbed;      ///< hits that rays come to through what absorbs
   std::vector<std::uint8_t> in_absorber;   ///< by hit, whether it is one of these
   std::vector<double> exponents, powers;   ///< of what media and fog leave
+  Spawning spawning;
   std::vector<V3<R>> occlusion;
   std::vector<std::int32_t> samples;  ///< of occlusion, by hit
   std::vector<std::int32_t> caps;     ///< HitState::cap while hits are found
   std::size_t waiting = 0;            ///< shadow rays
   Waiting<R> of_waiting;              ///< of a light's
-  bool by_highlight = false;  ///< some of them count only if their highlight does
-  std::vector<V3<R>> filter;  ///< what shadows leave of each that waits; empty: all of it
-  bool maybe_blocked = false;  ///< and nothing where Scratch::blocked says so
+  bool by_highlight = false;          ///< some of them count only if their highlight does
+  std::vector<V3<R>> filter;          ///< what shadows leave of each that waits; empty: all of it
+  bool maybe_blocked = false;         ///< and nothing where Scratch::blocked says so
   std::vector<Walk<R>> walks;
   std::vector<WalkHistory> histories;     ///< of walks; as many as there have ever been at a time
   std::vector<std::int32_t> hit_of_walk;  ///< of a batch of walks; -1: none
@@ -212,7 +228,7 @@ struct GeneralWorkspace {
   Scratch<R> through_scratch;
   std::int32_t room;        ///< for rays on their way through
   std::size_t shadow_room;  ///< for what waits
-  Inside at_eye;          ///< what the eye is inside of
+  Inside at_eye;            ///< what the eye is inside of
   bool knows_eye = false;
   bool draws = false;       ///< anything at random: rays have keys
   bool has_groups = false;  ///< ways to hits lead through instances
@@ -222,8 +238,8 @@ struct GeneralWorkspace {
 /// Traces the rays in level 0, as Kernel::trace_rays() does.
 template <class R>
 void trace_rays(const FrozenScene<R>& scene, const TraceSettings& settings,
-                const Services<R>& services, Workspace<R>& workspace,
-                GeneralWorkspace<R>& general, RayCounts& counts);
+                const Services<R>& services, Workspace<R>& workspace, GeneralWorkspace<R>& general,
+                RayCounts& counts);
 
 /// The most children that one hit can have.
 int most_children(const TraceSettings& settings);

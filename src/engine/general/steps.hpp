@@ -153,10 +153,4 @@ void light_hits(const Batch<R>& batch);
 template <class R>
 void spawn(const Batch<R>& batch, Level<R>& next, RayState<R>* next_rays, Inside* next_insides);
 
-/// Of unpolarised light, the share that is reflected (Fresnel); eta is n1/n2. 1 beyond the critical
-/// angle.
-double fresnel_exact(double cosine, double eta);
-/// Schlick's approximation; where the ray comes from the denser side, by the other side's angle.
-double fresnel_schlick(double cosine, double eta);
-
 }  // namespace zraka::general
