@@ -22,9 +22,9 @@ struct Bends {
   const std::int32_t* hit;  ///< kArrayPadding more are read
   const double *n1, *n2;    ///< in front of the surface and behind it
   const double* by;         ///< who says what is reflected: a value of Fresnel
-  double *ratio,
-      *quarter_d;   ///< n1/n2, and a quarter of Snell's discriminant: below 0, all is reflected
-  double* fresnel;  ///< the share that is reflected
+  double* ratio;            ///< n1/n2
+  double* quarter_d;        ///< a quarter of Snell's discriminant: below 0, all is reflected
+  double* fresnel;          ///< the share that is reflected
 };
 
 /// What goes on from hits: reflected where quarter_d is below 0, else bent as Bends says.
