@@ -259,7 +259,7 @@ void find_coefficients(const FrozenScene<R>& scene, const Level<R>& level, Scrat
     seen.at.distance = (static_cast<double>(level.rays.travelled[begin + ray]) +
                         static_cast<double>(scratch.t[ray])) /
                        scene.frame_scale;
-    known.placed = PreparedTexture::kNone;
+    known.start();
     for (std::int32_t i = 0; i < its.use_count; ++i)
       put(its.uses[i].coefficient, textures.set->value(its.uses[i].texture, seen.at, known), row);
     if (!bends) continue;

@@ -275,14 +275,17 @@ void color_hits(const HitsOfMaterial& hits, const Level<typename L::Real>& level
       else
         at = {moved_by(*hits.to_shape, points(i)), {none, none}, F(0.0)};
       lookups.start();
+      InLanes<D> values{};
       for (std::int32_t use = 0; use < hits.its->use_count; ++use) {
         const TextureUse& its = hits.its->uses[use];
         const PreparedTexture& t = hits.textures[its.texture];
-        InLanes<D> values{};
-        if (t.kind == TextureKind::checker && t.mapping == TextureMapping::solid)
-          values.store(checker_at(t, place_in_texture(t, at)));
-        else
-          lookups.find(t, at, (travelled(i) + distance(i)) / F(hits.frame_scale), count, values);
+        // A colour is two coefficients with one texture.
+        if (use == 0 || its.texture != hits.its->uses[use - 1].texture) {
+          if (t.kind == TextureKind::checker && t.mapping == TextureMapping::solid)
+            values.store(checker_at(t, place_in_texture(t, at)));
+          else
+            lookups.find(t, at, (travelled(i) + distance(i)) / F(hits.frame_scale), count, values);
+        }
         for (std::size_t k = 0; k < count; ++k)
           put(its.coefficient, values[k],
               scratch.own_rows + static_cast<std::ptrdiff_t>(numbers[k]) * kMaterialReals);

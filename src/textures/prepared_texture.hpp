@@ -94,9 +94,13 @@ struct ImageTaps {
 /// What has been found out of a point for a texture, and serves the next ones, too: coefficients of
 /// a material often have the same picture, each in its own strength.
 struct TextureLookup {
+  std::uint32_t texture = PreparedTexture::kNone;  ///< of which `value` is
   std::uint32_t placed = PreparedTexture::kNone, sampled = PreparedTexture::kNone;
+  TextureValue value;
   TexturePlace place;
   ImageTaps taps;
+  /// Another point, of which nothing is known.
+  void start() { texture = placed = PreparedTexture::kNone; }
 };
 
 /// Of an image that is looked up by distance.

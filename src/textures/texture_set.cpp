@@ -245,17 +245,20 @@ TextureValue TextureSet::value(std::uint32_t texture, const TexturePoint& at) co
 
 TextureValue TextureSet::value(std::uint32_t texture, const TexturePoint& at,
                                TextureLookup& known) const {
+  if (known.texture == texture) return known.value;  // a colour is two coefficients with one texture
+  known.texture = texture;
   const PreparedTexture& t = textures_[texture];
   if (known.placed != t.placed_like) {
     known.placed = t.placed_like, known.sampled = PreparedTexture::kNone;
     find_place(t, at, known.place);
   }
-  if (t.sampled_like == PreparedTexture::kNone) return code_of(t).value(t, known.place);
+  if (t.sampled_like == PreparedTexture::kNone)
+    return known.value = code_of(t).value(t, known.place);
   if (known.sampled != t.sampled_like) {
     known.sampled = t.sampled_like;
     find_taps(t, known.place, known.taps);
   }
-  return value_of_taps(t, known.taps);
+  return known.value = value_of_taps(t, known.taps);
 }
 
 V3<double> TextureSet::slope(std::uint32_t texture, const TexturePoint& at) const {
