@@ -21,6 +21,8 @@ namespace zraka {
 namespace {
 
 constexpr std::int32_t kRays = 2003;  // not a multiple of any number of lanes
+constexpr TextureMapping kMappings[] = {TextureMapping::solid, TextureMapping::cylinder,
+                                        TextureMapping::sphere, TextureMapping::uv};
 
 /// A floor and shapes of two spaces, on which one texture is the diffuse coefficient and another
 /// one the share that is reflected.
@@ -165,25 +167,49 @@ TEST(Texturing, HasTheBitsOfSingleHitsForEveryKindInSpace) {
     }
 }
 
-TEST(Texturing, HasTheBitsOfSingleHitsForImages) {
-  auto image = std::make_shared<Image>(37, 21);
+std::shared_ptr<const Image> noisy(std::uint32_t width, std::uint32_t height) {
+  auto image = std::make_shared<Image>(width, height);
   Random random{3};
   for (float& value : image->pixels) value = static_cast<float>(random.unit());
+  return image;
+}
+
+/// One image on everything.
+Scene pictured(const std::shared_ptr<const Image>& image, TextureFilter filter,
+               TextureMapping mapping, TextureWrap wrap) {
+  Scene scene = textured("kind = \"checker\"", "kind = \"checker\"");
+  for (Texture& texture : scene.textures) {
+    texture.kind = TextureKind::image;
+    texture.image = image;
+    texture.filter = filter;
+    texture.mapping = mapping;
+    texture.wrap = wrap;
+    texture.reach = 300;
+  }
+  return scene;
+}
+
+TEST(Texturing, HasTheBitsOfSingleHitsForImages) {
+  const auto image = noisy(37, 21);
   for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear,
                                      TextureFilter::mip, TextureFilter::distance})
-    for (const TextureMapping mapping :
-         {TextureMapping::solid, TextureMapping::cylinder, TextureMapping::sphere}) {
+    for (const TextureMapping mapping : kMappings) {
       SCOPED_TRACE(testing::Message() << static_cast<int>(filter) << static_cast<int>(mapping));
-      Scene scene = textured("kind = \"checker\"", "kind = \"checker\"");
-      for (Texture& texture : scene.textures) {
-        texture.kind = TextureKind::image;
-        texture.image = image;
-        texture.filter = filter;
-        texture.mapping = mapping;
-        texture.reach = 300;
-      }
-      expect_same_bits(scene, 30);
+      expect_same_bits(pictured(image, filter, mapping, TextureWrap::repeat), 30);
     }
+}
+
+TEST(Texturing, HasTheBitsOfSingleHitsForSmallerSizesOfImages) {
+  // One that is all levels, one that is wide, and one that has no smaller size.
+  const std::shared_ptr<const Image> images[] = {noisy(64, 32), noisy(1, 5), noisy(1, 1)};
+  for (const auto& image : images)
+    for (const TextureWrap wrap : {TextureWrap::repeat, TextureWrap::clamp, TextureWrap::mirror})
+      for (const TextureMapping mapping : kMappings) {
+        SCOPED_TRACE(testing::Message() << image->width << static_cast<int>(wrap)
+                                        << static_cast<int>(mapping));
+        expect_same_bits(pictured(image, TextureFilter::mip, mapping, wrap),
+                         image->width > 1 ? 30 : 1);
+      }
 }
 
 }  // namespace

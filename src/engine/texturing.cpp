@@ -6,6 +6,7 @@
 
 #include "engine/coefficients.hpp"
 #include "engine/indices.hpp"
+#include "engine/mip_lanes.hpp"
 #include "math/double_lanes.hpp"
 #include "math/vec.hpp"
 
@@ -183,6 +184,15 @@ struct InLanes {
   ZRAKA_INLINE V3<double> operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
+template <class D>
+ZRAKA_INLINE void color_by_mips(const PreparedTexture& t, const SolidPlace<typename D::F>& at,
+                                std::size_t count, InLanes<D>& values) {
+  look_up_mips<D>(t, {at.point.x, at.point.y, at.axes[0].x, at.axes[0].y, at.axes[1].x, at.axes[1].y},
+                  t.wrap, count, [&](std::size_t k, const V3<double>& value) {
+                    values.x[k] = value.x, values.y[k] = value.y, values.z[k] = value.z;
+                  });
+}
+
 /// TextureLookup of as many hits as a register of doubles holds, for kinds that have no lanes.
 template <class D>
 class Lookups {
@@ -283,6 +293,8 @@ void color_hits(const HitsOfMaterial& hits, const Level<typename L::Real>& level
         if (use == 0 || its.texture != hits.its->uses[use - 1].texture) {
           if (t.kind == TextureKind::checker && t.mapping == TextureMapping::solid)
             values.store(checker_at(t, place_in_texture(t, at)));
+          else if (t.has_mips() && t.mapping == TextureMapping::solid)
+            color_by_mips(t, place_in_texture(t, at), count, values);
           else
             lookups.find(t, at, (travelled(i) + distance(i)) / F(hits.frame_scale), count, values);
         }

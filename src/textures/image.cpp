@@ -135,7 +135,7 @@ V3<double> filtered(const PreparedTexture& t, const TexturePlace& at) {
 /// stand at 0 and 1.
 void find_four(const ImageLevel& image, std::size_t level, double u, double v,
                ImageTaps::Four& four) {
-  const double x = u * image.last_column, y = v * image.last_row;
+  const double x = u * (image.columns - 1), y = v * (image.rows - 1);
   const auto i = static_cast<std::ptrdiff_t>(x), j = static_cast<std::ptrdiff_t>(y);
   const std::ptrdiff_t above = 3 * (j * image.width + i);
   const std::ptrdiff_t right = i + 1 < image.width ? 3 : 0;
@@ -176,13 +176,12 @@ void prepare_image(const Texture& described, PreparedTexture& texture) {
                                     ? Pyramid::of_bytes(image)
                                     : Pyramid(image, texture.filter == TextureFilter::mip));
   texture.finest = {0.5 / image->width, 0.5 / image->height, 1};
-  if (texture.filter != TextureFilter::distance) return;
   for (std::size_t i = 0; i < texture.pyramid->levels(); ++i) {
     const Image& level = texture.pyramid->level(i);
     texture.levels.push_back({level.pixels.data(), static_cast<std::ptrdiff_t>(level.width),
                               static_cast<std::ptrdiff_t>(level.height),
-                              static_cast<double>(level.width - 1),
-                              static_cast<double>(level.height - 1)});
+                              static_cast<double>(level.width),
+                              static_cast<double>(level.height)});
   }
 }
 

@@ -26,7 +26,7 @@ struct IntoTexture {
 struct ImageLevel {
   const float* pixels;
   std::ptrdiff_t width, height;
-  double last_column, last_row;
+  double columns, rows;  ///< the same
 };
 
 /// Coordinates and axes that are as large count as none, or as so large.
@@ -53,7 +53,7 @@ struct PreparedTexture {
   // What a kind's prepare() makes.
   Ramp ramp;
   std::shared_ptr<const Pyramid> pyramid;
-  std::vector<ImageLevel> levels;  ///< the pyramid's, of images that are looked up by distance
+  std::vector<ImageLevel> levels;  ///< the pyramid's
   /// How far to either side, along each axis, a slope looks at least; a part of the size.
   V3<double> finest{};
 
@@ -67,6 +67,11 @@ struct PreparedTexture {
   std::uint32_t placed_like = kNone;
   /// And of images that are looked up by distance, the first that takes the same texels; else kNone.
   std::uint32_t sampled_like = kNone;
+
+  /// An image that is looked up in smaller sizes of it.
+  bool has_mips() const {
+    return kind == TextureKind::image && filter == TextureFilter::mip && pyramid != nullptr;
+  }
 };
 
 /// A place in a texture's space, and the footprint there.
